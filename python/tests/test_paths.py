@@ -169,7 +169,7 @@ def test_files_of_what_was_rounded():
 
 
 def test_paths_that_do_not_join():
-    for second, reason in ((CUBIC, "it starts at"), (phrame.Path.bezier([[4, 1, 2], [5, 1, 2]]), "the tangent breaks")):
+    for second, reason in ((CUBIC, "it starts at"), (phrame.Path.bezier([[4, 1, 2], [3, 0, 1]]), "the tangent turns back")):
         with pytest.raises(phrame.InputError, match=rf"^curves\[1\]: {reason}"):
             phrame.Path([CUBIC, second])
     assert phrame.Path([CUBIC, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])]).kind == "polynomial"  # a line of length √3

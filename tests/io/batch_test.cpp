@@ -166,8 +166,9 @@ TEST_CASE("batch: what is no PH curve is answered by angles to the frame of v, o
 }
 
 TEST_CASE("batch: splines") {
-  const Json path = {{"phrame", "spline/1"}, {"segments", {quintic(), quintic()}}};
-  // The end of one is no start of the other: their tangents differ.
+  Json elsewhere = quintic();
+  elsewhere["start"] = {9, 9, 9};
+  const Json path = {{"phrame", "spline/1"}, {"segments", {quintic(), elsewhere}}};
   CHECK(answer({{"curve", path}})["error"]["status"] == 2);
   std::ifstream file(test::root("/examples/curves/closed-spline.json"));
   const Json four = Json::parse(file);

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
 namespace phrame::test {
@@ -19,6 +19,14 @@ inline PhPath chain(const std::vector<Curve>& curves) {
     path.append(Curve(curves[k].preimage(), curves[k].multiplier(),
                       evaluate(position(path.segments().back()), 1)));
   return path;
+}
+
+/// The lines from point to point, as curves of any kind.
+inline Path polygon(const std::vector<Vector<Rational>>& points) {
+  std::vector<Segment> lines;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    lines.emplace_back(bezier_curve({points[k], points[k + 1]}));
+  return joined(lines);
 }
 
 /// r′ = (1 − t², 2t, 0) and three copies, each turned by a quarter: a closed plane curve, whose

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/curve/corner.hpp"
 
 namespace phrame {
 namespace {
@@ -12,7 +15,18 @@ std::string closure_text(const Path& path) {
   if (!closure.ends_meet) return "open or closed: undecided";
   if (!*closure.ends_meet) return "open";
   if (!closure.is_closed) return "its ends meet, perhaps with their tangents: undecided";
-  return *closure.is_closed ? "closed" : "its ends meet, but not their tangents";
+  return *closure.is_closed ? "closed" : "its ends meet, where the tangent turns back";
+}
+
+/// ", with 6 corners of at most 1.57 radians"; empty where there is none.
+std::string corners_text(const Path& path) {
+  double greatest = 0;
+  const auto corners = phrame::corners(path);
+  for (const Corner& corner : corners)
+    greatest = std::max(greatest, approximate(corner.angle.enclose(64)));
+  if (corners.empty()) return "";
+  return fmt::format(", with {} of {}{:.3g} radians", counted(corners.size(), "corner"),
+                     corners.size() > 1 ? "at most " : "", greatest);
 }
 
 }  // namespace
@@ -45,7 +59,8 @@ std::string heading(const NamedPath& named) {
                            : std::holds_alternative<ExpressionCurve>(segments.front())
                                ? kind_of(segments.front()) + ", along which t runs from 0 to 1"
                                : kind_of(segments.front());
-  return fmt::format("{}{}, {}", name_prefix(named.name), kind, closure_text(named.path));
+  return fmt::format("{}{}, {}{}", name_prefix(named.name), kind, closure_text(named.path),
+                     corners_text(named.path));
 }
 
 std::string note_on_sign(const Curve& curve) {

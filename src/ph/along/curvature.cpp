@@ -168,13 +168,14 @@ Real torsion(const Path& path, const Place& at) {
 
 bool has_continuous_frenet_frame(const Path& path) {
   const auto& segments = path.segments();
+  if (!path.corners().empty()) return false;
   for (const Segment& segment : segments)
     if (!visit_curve([](const auto& curve) { return bends_all_along(curve); }, segment))
       return false;
   for (std::size_t k = 0; k + 1 < segments.size(); ++k)
     if (!have_same_normal(segments[k], segments[k + 1])) return false;
-  if (path.is_closed()) return have_same_normal(segments.back(), segments.front());
-  return true;
+  if (!path.is_closed()) return true;
+  return !path.closes_at_corner() && have_same_normal(segments.back(), segments.front());
 }
 
 void require_frenet_joints(const Path& path) {

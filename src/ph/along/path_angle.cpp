@@ -17,8 +17,15 @@
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
+// At a corner the rotation-minimizing frame is carried by the least rotation, and the frame of v is
+// not: behind it θ is greater by the angle from the one to the image of the other. The
+// Euler–Rodrigues frame is carried, too, by the choice of preimages, and so is that of Frenet where
+// it goes on, since binormals that agree are along the axis of the rotation.
+//
 // Every PH curve is one on [0, 1], and so is a part of one, reparametrised. Hence θ(t) behind some
 // of them is one integral from 0 to 1, of the sum of all rates, and that logarithms of different
 // segments cancel is decided as within one.
@@ -77,7 +84,8 @@ struct PathAngle::State {
   Measure measure;
   std::vector<std::optional<RmfAngle>> closed_forms;    ///< of the segments that are PH curves
   Recent<SegmentIntegral> others{most_kept_integrals};  ///< of the others
-  std::size_t closed_segments = 0;                      ///< so many PH curves come first
+  std::size_t closed_segments = 0;  ///< so many PH curves come first, with no turn in between
+  std::map<std::size_t, Real> corner_turns{};  ///< by the segment that begins with the corner
   bool is_zero = true;
   Lazy<Vector<Rational>> chosen_up{};
   Lazy<PlaneTurns> plane_turns{};
@@ -96,6 +104,10 @@ struct PathAngle::State {
   std::vector<GaussianRational> directions{{1, 0}};
 
   State(const Path& along, Measure by);
+  void find_corner_turns();
+  bool is_normal_to_plane() const;
+  /// By what θ is greater behind the corner at the start of that segment.
+  Real corner_turn(std::size_t before, std::size_t after) const;
   /// The same angle, whose values are found on this way.
   State(const State& other, Route route);
 
@@ -139,6 +151,31 @@ PathAngle::State::State(const Path& along, Measure by) : path(along), measure(st
     if (is_zero)
       is_zero = closed_forms[k] ? closed_forms[k]->rate().is_zero() : other(k)->is_zero();
   }
+  if (measure.up) find_corner_turns();
+}
+
+void PathAngle::State::find_corner_turns() {
+  if (path.corners().empty() || is_normal_to_plane()) return;
+  for (const std::size_t k : path.corners()) {
+    Real turn = remembered(corner_turn(k - 1, k));
+    if (turn.exact() == Rational(0)) continue;
+    is_zero = false;
+    closed_segments = std::min(closed_segments, k);
+    corner_turns.emplace(k, std::move(turn));
+  }
+}
+
+/// Then the least rotations at corners are about v.
+bool PathAngle::State::is_normal_to_plane() const {
+  const auto normal = plane_normal(path);
+  return normal && cross(*normal, measure.up.value()) == Vector<Rational>{};
+}
+
+Real PathAngle::State::corner_turn(std::size_t before, std::size_t after) const {
+  const Vector<Real> v = as_reals(measure.up.value());
+  const Vector<Real> a = phrame::direction(path, {before, Rational(1)});
+  const Vector<Real> b = phrame::direction(path, {after, Rational(0)});
+  return carried_angle(a, cross(v, a), b, cross(v, b));
 }
 
 PathAngle::State::State(const State& other, Route route)
@@ -146,6 +183,7 @@ PathAngle::State::State(const State& other, Route route)
       measure(other.measure),
       closed_forms(other.closed_forms),
       closed_segments(other.closed_segments),
+      corner_turns(other.corner_turns),
       is_zero(other.is_zero) {
   for (auto& angle : closed_forms)
     if (angle) angle->take(route);
@@ -188,8 +226,13 @@ RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
   const std::lock_guard lock(sums_lock);
   std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();
-  while (known.size() <= segment)
-    known.push_back(add(known.back(), enclose_on(known.size() - 1, Rational(1), enough), enough));
+  while (known.size() <= segment) {
+    const std::size_t k = known.size();
+    RealBall sum = add(known.back(), enclose_on(k - 1, Rational(1), enough), enough);
+    if (const auto turn = corner_turns.find(k); turn != corner_turns.end())
+      sum = add(sum, turn->second.enclose(enough), enough);
+    known.push_back(std::move(sum));
+  }
   return known[segment];
 }
 
@@ -380,16 +423,24 @@ std::optional<Real> PathAngle::holonomy_to_erf() const {
   return reduced(turned, [&] { return multiple_of_pi(end, turn * turn); }).angle;
 }
 
-// At both ends e₁ is the same, the tangent, and so is the frame of v.
+Real PathAngle::turn_of_ends() const {
+  if (state_->measure.up && path().closes_at_corner() && !state_->is_normal_to_plane())
+    return state_->corner_turn(path().segments().size() - 1, 0);
+  return Rational(0);
+}
+
+// Where there is no corner e₁ at both ends is the same, the tangent, and so is the frame of v.
 std::optional<Real> PathAngle::holonomy() const {
   if (reference() == Reference::frenet)
     throw DomainError("holonomy: it is not found from the angle to the Frenet frame");
   if (reference() == Reference::euler_rodrigues) return holonomy_to_erf();
   if (!path().is_closed()) return std::nullopt;
-  if (is_zero()) return Rational(0);
+  const Real turn = turn_of_ends();
+  const bool has_turn = turn.exact() != Rational(0);
+  if (is_zero() && !has_turn) return Rational(0);
   const PathParameter end{path().segments().size() - 1, 1};
-  const Real theta = value(end);
-  if (!state_->is_closed_up_to(end.segment)) return reduced(theta).angle;
+  const Real theta = value(end) + turn;
+  if (has_turn || !state_->is_closed_up_to(end.segment)) return reduced(theta).angle;
   return reduced(theta, [&] { return multiple_of_pi(end, path_to({1, 0})); }).angle;
 }
 

@@ -10,6 +10,9 @@ namespace phrame {
 /// frame that is continuous through the joints, but for the half turns of the Frenet frame at
 /// inflections:
 ///   f₂ = cos θ e₂ + sin θ e₃,  f₃ = −sin θ e₂ + cos θ e₃,  θ(0) = 0,  θ′ = −e₂′·e₃.
+/// Through a corner (f₂, f₃) is carried by the least rotation of the tangent. So is the
+/// Euler–Rodrigues frame; where (e₂, e₃) is not, as that of a vector, θ jumps, and at the joint it
+/// is that of the later segment.
 /// Along a PH curve it has a closed form, RmfAngle; along others its value is certain to any number
 /// of digits. Copies are cheap and share what was found; any thread may ask them. To move one is to
 /// copy it.
@@ -62,10 +65,14 @@ class PathAngle {
                                          const Rational& offset = 0) const;
 
   /// By which angle in (−π, π], or next to π where it is not told from that, the
-  /// rotation-minimizing frame comes back turned about the tangent r′/|r′| of a closed path:
+  /// rotation-minimizing frame comes back turned about the tangent r′/|r′| of a closed path, where
+  /// it closes at a corner carried through that:
   /// f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). Exact where it is seen to be 0. No value where the
   /// path is not closed with its e₁. Throws DomainError for the angle to a Frenet frame.
   std::optional<Real> holonomy() const;
+  /// By what θ is greater behind the corner where the ends of a closed path meet; 0 where there is
+  /// none, and to the Euler–Rodrigues frame, for which Path::closing_turn() says it.
+  Real turn_of_ends() const;
 
  private:
   struct State;  ///< the angles of the segments, and what is known of their sums

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/progress.hpp"
@@ -9,6 +10,7 @@
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -292,6 +294,28 @@ SegmentTotal frenet_energy_of(const Segment& segment) {
       [](const auto& curve) { return other_frenet_energy(curve); });
 }
 
+/// How far the tangent turns at corners, in finite terms where that is a rational multiple of π.
+void add_corners(PathTotal& total, const std::vector<Corner>& corners) {
+  std::vector<Real> angles{total.value};
+  std::optional<Rational> half_turns = 0;
+  for (const Corner& corner : corners) {
+    angles.push_back(corner.angle);
+    const auto over = half_turns ? over_pi(corner.angle) : std::nullopt;
+    half_turns = over ? std::optional<Rational>(*half_turns + *over) : std::nullopt;
+  }
+  total.value = sum_of(angles);
+  if (!half_turns) total.exact.reset();
+  if (!total.exact) return;
+  ExactValue turn;
+  turn.pi = *half_turns;
+  for (auto& [radicand, of] : *total.exact)
+    if (radicand == 1) {
+      of = of + turn;
+      return;
+    }
+  total.exact->push_back({1, turn});
+}
+
 // ---- The rotation index.
 
 /// e₁ of any length > 0; no value for formulas.
@@ -315,20 +339,37 @@ std::optional<int> sense_of_turn(const Vector<Polynomial>& d, const Vector<Ratio
   return sign_after_zero(turn);
 }
 
+/// 1 or −1 where the tangent turns to the left or right at the corner at the start of that segment.
+int sense_of_corner(const Path& path, std::size_t segment, const Vector<Rational>& normal) {
+  const std::size_t count = path.segments().size();
+  const auto before =
+      evaluate(direction_of(path.segments()[(segment + count - 1) % count]).value(), 1);
+  const auto after = evaluate(direction_of(path.segments()[segment]).value(), 0);
+  return dot(normal, cross(before, after)).sign();
+}
+
 /// Is the tangent of a path in the plane with this normal seen never to turn back?
 bool turns_one_way(const Path& path, const Vector<Rational>& normal) {
   int sense = 0;
+  const auto is_against = [&](int here) {
+    const bool is_other = here * sense < 0;
+    if (here != 0) sense = here;
+    return is_other;
+  };
   for (const Segment& segment : path.segments()) {
     const auto d = direction_of(segment);
     const auto here = d ? sense_of_turn(*d, normal) : std::nullopt;
-    if (!here || *here * sense < 0) return false;
-    if (*here != 0) sense = *here;
+    if (!here || is_against(*here)) return false;
   }
-  return true;
+  const auto corners = phrame::corners(path);
+  return std::none_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+    return is_against(sense_of_corner(path, corner.segment, normal));
+  });
 }
 
-/// cos² of the angle between e₁ at the ends.
+/// cos² of the angle between e₁ at the ends; 1 where the turn at a corner between them is counted.
 Rational squared_cosine_of_ends(const Path& path) {
+  if (closure(path).at_corner) return 1;
   const auto a = evaluate(direction_of(path.segments().front()).value(), 0);
   const auto b = evaluate(direction_of(path.segments().back()).value(), 1);
   const Rational product = dot(a, b);
@@ -345,7 +386,12 @@ Real value_of(const PathTotal::OfSegment& segment) {
 
 PathTotal total_length(const Path& path) { return finite_sum_over(path, length_of); }
 
-PathTotal total_curvature(const Path& path) { return finite_sum_over(path, curvature_of); }
+PathTotal total_curvature(const Path& path) {
+  PathTotal total = finite_sum_over(path, curvature_of);
+  const auto angles = corners(path);
+  if (!angles.empty()) add_corners(total, angles);
+  return total;
+}
 
 PathTotal total_torsion(const Path& path) { return finite_sum_over(path, torsion_of); }
 

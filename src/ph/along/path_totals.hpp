@@ -17,7 +17,7 @@ struct PathTotal {
   /// Of a PH curve in closed form, where it has one; of others a sum of square roots, where it is
   /// seen to be one; else certain to any number of digits.
   using OfSegment = std::variant<Total, Surd, Real>;
-  std::vector<OfSegment> segments;  ///< what each adds
+  std::vector<OfSegment> segments;  ///< what each adds, without corners
   /// Exact where it is seen to be rational, also where what is irrational of different segments
   /// cancels.
   Real value;
@@ -30,13 +30,15 @@ Real value_of(const PathTotal::OfSegment& segment);
 
 /// ∫ ds = ∫ |r′| dt.
 PathTotal total_length(const Path& path);
-/// ∫ κ ds: how far the tangent turns, in radians, without the half turns at cusps and joints.
+/// ∫ κ ds: how far the tangent turns, in radians, at corners, too, but without the half turns at
+/// cusps.
 PathTotal total_curvature(const Path& path);
 /// ∫ τ ds, in radians; the half turns of n and b at inflections and their jumps at joints are not
 /// in it. Throws DomainError where a segment is a straight line, DomainError or Undecided where a
 /// curve by formulas has an inflection and is in no plane.
 PathTotal total_torsion(const Path& path);
-/// @{ ∫ κ² ds and ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite. The pole is
+/// @{ ∫ κ² ds and ∫ (κ² + τ²) ds over the segments, infinite at most cusps, and not counted at
+/// corners, where they are infinite, too; at inflections τ is finite. The pole is
 /// that of the first segment that has one, a parameter of the path. That with τ throws as
 /// total_torsion().
 std::variant<PathTotal, Infinite> bending_energy(const Path& path);

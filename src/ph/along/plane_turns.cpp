@@ -4,9 +4,12 @@
 // has the argument of N. At a joint, or behind a line, the next normal M is turned against it about
 // e₁ by the argument of
 //   N·M + i·(N × M)·e₁,  (N × M)·e₁ = ±|N × M|.
+// The least rotation at a corner with the tangents a and b leaves a × b at rest, which is the
+// normal of a plane that the frame is in for a moment.
 
 #include "phrame/ph/along/plane_turns.hpp"
 
+#include <algorithm>
 #include <mutex>
 
 #include "phrame/ph/curve/direction_span.hpp"
@@ -28,10 +31,10 @@ std::optional<Vector<Rational>> rational_direction(const Path& path, const Place
 }  // namespace
 
 struct PlaneTurns::State {
-  /// A segment that is no line.
+  /// A segment that is no line, or a corner.
   struct Piece {
     Vector<Rational> normal;  ///< of its plane
-    Vector<Rational> axis{};  ///< the normal before × this one, along the tangent at the start
+    Vector<Rational> axis{};  ///< the normal before × this one, along the tangent where it begins
     int side = 0;  ///< 1 where that has the direction of e₁, −1 the opposite, 0 for 0
   };
 
@@ -45,29 +48,40 @@ struct PlaneTurns::State {
   AlgebraicAngle turn{};  ///< by which its normal is turned against the first one
 
   State(Path along, const Vector<Rational>& up);
-  bool add_piece(const Vector<Rational>& normal, std::size_t segment);
+  bool add_piece(const Vector<Rational>& normal, const Place& start);
+  bool add_corner(std::size_t segment);
   std::optional<AlgebraicAngle> turn_of(std::size_t piece);
   AlgebraicAngle seen(std::size_t piece, const Vector<Rational>& H) const;
 };
 
 PlaneTurns::State::State(Path along, const Vector<Rational>& up) : path(std::move(along)), v(up) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    if (std::binary_search(path.corners().begin(), path.corners().end(), k) && !add_corner(k))
+      return;
     const auto span = direction_span(path.segments()[k]);
     if (!are_on_a_line(span)) {
       const auto normal = common_normal(span);
-      if (!normal || !add_piece(*normal, k)) return;
+      if (!normal || !add_piece(*normal, {k, Rational(0)})) return;
     }
     count.push_back(pieces.size());
   }
 }
 
 /// No where the sign of what is not 0 is not seen.
-bool PlaneTurns::State::add_piece(const Vector<Rational>& normal, std::size_t segment) {
+bool PlaneTurns::State::add_piece(const Vector<Rational>& normal, const Place& start) {
   Piece piece{normal};
   if (!pieces.empty()) piece.axis = cross(pieces.back().normal, normal);
-  piece.side = sign_of(dot(as_reals(piece.axis), direction(path, {segment, Rational(0)})));
+  piece.side = sign_of(dot(as_reals(piece.axis), direction(path, start)));
   pieces.push_back(piece);
   return piece.side != 0 || piece.axis == Vector<Rational>{};
+}
+
+/// That at the start of the segment. No likewise, and where its plane is not seen to be rational.
+bool PlaneTurns::State::add_corner(std::size_t segment) {
+  const Place before{segment - 1, Rational(1)};
+  const auto a = rational_direction(path, before);
+  const auto b = rational_direction(path, {segment, Rational(0)});
+  return a && b && add_piece(cross(*a, *b), before);
 }
 
 /// By which the normal of this piece is turned against that of the first.

@@ -6,10 +6,11 @@
 #include "phrame/ph/curve/curve_arc.hpp"
 
 // P is the projected curve. An arc on which P′ stays within a half-plane, d·P′ > 0, does not cross
-// itself; so do two successive ones with one d. Two arcs whose boxes are apart do not cross. Where
-// P′(s) × P′(t) ≠ 0 on two arcs, P(s) − P(t) = 0 has one solution there at most, and Newton's step
-// N from the middle, with the derivatives of the whole arcs, holds it: it is there if N is inside,
-// and not if N is outside. Else the longer arc is halved.
+// itself; so do two successive ones with one d, and with P′(s) × P′(t) ≠ 0, as at a corner: two
+// points in common would be the ends of parallel chords. Two arcs whose boxes are apart do not
+// cross. Where P′(s) × P′(t) ≠ 0 on two arcs, P(s) − P(t) = 0 has one solution there at most, and
+// Newton's step N from the middle, with the derivatives of the whole arcs, holds it: it is there if
+// N is inside, and not if N is outside. Else the longer arc is halved.
 
 namespace phrame {
 namespace {
@@ -52,7 +53,9 @@ class CrossingSearch {
     if (!is_left()) return false;
     if (are_apart(a.box, b.box)) return true;
     const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
-    if (are_neighbours && is_one_way(hull_of(a.velocity, b.velocity))) return true;
+    if (are_neighbours &&
+        (is_one_way(hull_of(a.velocity, b.velocity)) || are_transversal(a.velocity, b.velocity)))
+      return true;
     if (!are_neighbours && a.is_arc() && b.is_arc() && are_transversal(a.velocity, b.velocity)) {
       const auto [is_decided, crossing] = solve(a, b);
       if (crossing) return add_crossing(a, b, *crossing);

@@ -17,7 +17,7 @@ struct Crossing {
 
 /// All crossings, each once: that each of these is one, and that there are no others, is proved,
 /// by Newton's method in intervals on pairs of arcs [Moore, Krawczyk]. Closed curves are meant,
-/// with a continuous tangent. No value where that is not decided within arcs of 2^−30 of a segment:
+/// which may have corners. No value where that is not decided within arcs of 2^−30 of a segment:
 /// where the projection touches itself, has a cusp or has a crossing at an end of an arc, so that
 /// another v is to be tried; or where the curve meets itself, or nearly so.
 std::optional<std::vector<Crossing>> self_crossings(const CurveSeries& curve,

@@ -73,6 +73,25 @@ bool decided(const std::optional<bool>& answer, const char* what) {
   return *answer;
 }
 
+std::optional<bool> turns_back(const ExactVector& before, ExactVector after,
+                               FormulaProgram& program) {
+  for (auto& x : after) x = program.negative(x);
+  return have_same_direction(program, before, after);
+}
+
+/// Does the tangent break where it goes on like this? Throws DomainError where it turns
+/// back, and Undecided where that is not told.
+bool is_corner(const ExactVector& before, const ExactVector& after, FormulaProgram& program) {
+  if (have_same_direction(program, before, after) == true) return false;
+  if (decided(turns_back(before, after, program), "the tangent turns back at a joint"))
+    throw DomainError(
+        fmt::format("the tangent turns back: the spline ends in the direction {}, and it starts in "
+                    "the opposite "
+                    "one, so that frames are undefined there",
+                    shown_vector(program, before, true)));
+  return true;
+}
+
 }  // namespace
 
 Path::Path(Segment first, std::size_t room) : segments_(std::make_shared<Segments>()) {
@@ -80,13 +99,14 @@ Path::Path(Segment first, std::size_t room) : segments_(std::make_shared<Segment
   segments_->push_back(orientation(first) < 0 ? turned_over(first) : std::move(first));
 }
 
-Path::Path(const PhPath& ph) : segments_(std::make_shared<Segments>()) {
+Path::Path(const PhPath& ph) : segments_(std::make_shared<Segments>()), corners_(ph.corners()) {
   for (const Curve& curve : ph.segments()) segments_->emplace_back(PhSegment(curve));
 }
 
-Path Path::of_continuous(std::vector<Segment> segments) {
+Path Path::of_continuous(std::vector<Segment> segments, std::vector<std::size_t> corners) {
   Path path(std::move(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) path.add(std::move(segments[k]));
+  path.corners_ = std::move(corners);
   return path;
 }
 
@@ -100,7 +120,9 @@ void Path::append(Segment next) {
   const Curve* last_ph = ph_curve(segments().back());
   const Curve* next_ph = ph_curve(next);
   if (last_ph != nullptr && next_ph != nullptr) {
-    add(PhSegment(continuation(*last_ph, *next_ph)));
+    Continuation found = continuation(*last_ph, *next_ph);
+    if (found.is_corner) corners_.push_back(segments().size());
+    add(PhSegment(std::move(found.curve)));
     return;
   }
   FormulaProgram program;
@@ -113,11 +135,7 @@ void Path::append(Segment next) {
                                   shown_vector(program, before.position, false)));
   const ExactVector old_tangent = tangent_of(before, end_orientation(segments().back()), program);
   const ExactVector new_tangent = tangent_of(after, orientation(next), program);
-  if (!decided(have_same_direction(program, old_tangent, new_tangent),
-               "its tangent is that of the spline"))
-    throw DomainError(fmt::format(
-        "the tangent breaks: it starts in the direction {}, but the spline ends in {}",
-        shown_vector(program, new_tangent, true), shown_vector(program, old_tangent, true)));
+  if (is_corner(old_tangent, new_tangent, program)) corners_.push_back(segments().size());
   add(std::move(next));
 }
 
@@ -127,7 +145,7 @@ std::optional<PhPath> Path::ph() const {
   if (!is_ph()) return std::nullopt;
   std::vector<Curve> curves;
   for (const Segment& segment : segments()) curves.push_back(*ph_curve(segment));
-  return PhPath::of_continuous(std::move(curves));
+  return PhPath::of_continuous(std::move(curves), corners());
 }
 
 bool Path::ends_meet() const {
@@ -147,8 +165,17 @@ bool Path::is_closed() const {
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);
-  return decided(have_same_direction(program, end.direction, start.direction),
-                 "the tangents at the ends of the curve are the same");
+  if (have_same_direction(program, end.direction, start.direction) == true) return true;
+  return !decided(turns_back(end.direction, start.direction, program),
+                  "the tangent turns back where the ends of the curve meet");
+}
+
+bool Path::closes_at_corner() const {
+  if (!is_closed()) return false;
+  FormulaProgram program;
+  const SegmentEnd start = start_of(segments().front(), program);
+  const SegmentEnd end = end_of(segments().back(), program);
+  return have_same_direction(program, end.direction, start.direction) != true;
 }
 
 std::optional<GaussianRational> Path::closing_turn() const {
@@ -161,6 +188,7 @@ Closure closure(const Path& path) {
   try {
     found.ends_meet = path.ends_meet();
     found.is_closed = *found.ends_meet && path.is_closed();
+    found.at_corner = *found.is_closed && path.closes_at_corner();
   } catch (const Undecided& undecided) {
     found.undecided = undecided.what();
   }

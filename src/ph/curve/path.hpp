@@ -8,10 +8,11 @@
 namespace phrame {
 
 /// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
-/// parameter t. At the joints the position and the unit tangent r′/|r′| are continuous, exactly; at
-/// a cusp there the tangent is its limit. Segments are turned over where that makes e₁ r′/|r′| at
-/// the start and continuous from there on; after an odd number of changes of the sign of p or f it
-/// is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame is continuous, as in a
+/// parameter t. At the joints the position is continuous, exactly, and the unit tangent r′/|r′|,
+/// too, or there is a corner, through which frames are carried as in a PhPath; at a cusp there the
+/// tangent is its limit. Segments are turned over where that makes e₁ r′/|r′| at the start and at
+/// joints, but for corners, continuous from there on; after an odd number of changes of the sign of
+/// p or f it is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame goes on as in a
 /// PhPath. Copies share the segments.
 class Path {
  public:
@@ -21,19 +22,23 @@ class Path {
   explicit Path(Curve curve) : Path(Segment(PhSegment(std::move(curve)))) {}
   /// The segments of a path of PH curves.
   Path(const PhPath& ph);  // NOLINT(google-explicit-constructor)
-  /// Segments, at least one, that are known to go on where the one before ends, in position and
-  /// tangent, PH curves with their preimages. They are turned over where append() does it.
-  static Path of_continuous(std::vector<Segment> segments);
+  /// Segments, at least one, that are known to go on where the one before ends, in position and,
+  /// but for those that begin with a corner, in tangent, PH curves with their preimages. They are
+  /// turned over where append() does it.
+  static Path of_continuous(std::vector<Segment> segments, std::vector<std::size_t> corners = {});
   Path(const Path&) = default;
   Path& operator=(const Path&) = default;  // to move one is to copy it
   ~Path() = default;
 
   /// Throws DomainError where the segment does not start where the path ends, and where its tangent
-  /// there is another, with the same messages as PhPath::append; Undecided where that is not told
-  /// of values of formulas that agree to 1024 bits.
+  /// there is the opposite one, with the same messages as PhPath::append; Undecided where that is
+  /// not told of values of formulas that agree to 1024 bits. Tangents that agree so far make a
+  /// corner, whose angle is 0 or next to it.
   void append(Segment next);
 
   const std::vector<Segment>& segments() const { return *segments_; }  ///< at least one
+  /// The segments, ascending, at whose start the tangent breaks.
+  const std::vector<std::size_t>& corners() const { return corners_; }
   bool is_ph() const;  ///< are all of its segments PH curves?
   /// The path of PH curves, where all of its segments are.
   std::optional<PhPath> ph() const;
@@ -42,8 +47,11 @@ class Path {
 
   /// Is its end its start? Throws Undecided where that is not told of values of formulas.
   bool ends_meet() const;
-  /// Do its ends meet, with the same r′/|r′|, and e₁ on the same side of it? Throws likewise.
+  /// Do its ends meet, e₁ on the same side of r′/|r′| at both, and the tangent does not turn back
+  /// there? Throws likewise.
   bool is_closed() const;
+  /// Is it closed, and the tangents at its ends differ, or are not told apart from that?
+  bool closes_at_corner() const;
   /// Of a path of PH curves, as PhPath::closing_turn() has it; of others no value.
   std::optional<GaussianRational> closing_turn() const;
 
@@ -54,15 +62,17 @@ class Path {
 
   using Segments = std::vector<Segment>;
   std::shared_ptr<Segments> segments_;  ///< not changed while it is shared
+  std::vector<std::size_t> corners_;
 };
 
 /// What is known of the ends of a path.
 struct Closure {
   std::optional<bool> ends_meet = std::nullopt;  ///< no value where it is undecided
-  std::optional<bool> is_closed = std::nullopt;  ///< likewise: with the same e₁
+  std::optional<bool> is_closed = std::nullopt;  ///< likewise
+  bool at_corner = false;                        ///< does it close at one?
   std::string undecided = {};                    ///< why
 };
-/// Path::ends_meet() and is_closed(), as far as they are told.
+/// Path::ends_meet(), is_closed() and closes_at_corner(), as far as they are told.
 Closure closure(const Path& path);
 
 /// The segments, at least one, one after the other. Throws as Path::append.

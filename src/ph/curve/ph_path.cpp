@@ -10,8 +10,11 @@
 #include "phrame/ph/curve/vector.hpp"
 
 // Unit tangents are ±A i A*/σ, A without its real content, the sign that of f on the inner side.
-// For v = A(end), w = B(start): v i v* and w i w* have the same direction iff v̄w commutes with i,
-// that is lies in ℚ(i).
+// Let v = A(end), w = B(start) and v̄w = z + y·j with z, y ∈ ℚ(i). The tangents v i v* and w i w*
+// have the same direction iff y = 0, and opposite ones iff z = 0. Else z/|z| = e^{iφ} with v̄w ∥ (r
+// + x·j) e^{iφ}, r > 0: seen from the frame of v, r + x·j is the least rotation that takes i to the
+// new tangent, since its axis is normal to i, and from there the frame is turned by 2φ about it.
+// With w·z̄ in the place of w there is no such turn.
 
 namespace phrame {
 namespace {
@@ -38,12 +41,16 @@ Vector<Rational> direction(const End& end) {
   return d;
 }
 
-/// z ∈ ℚ(i) with w = v·z up to a positive factor; no value where the tangents differ or e₁ would be
-/// reversed.
-std::optional<GaussianRational> turn(const End& v, const End& w) {
-  const RationalQuaternion z = conjugate(v.a) * w.a;
-  if (v.sign != w.sign || z.p != 0 || z.q != 0) return std::nullopt;
-  return GaussianRational{z.u, z.v};
+/// How two ends meet.
+struct Meeting {
+  GaussianRational turn;  ///< z, which is not 0
+  bool is_corner;         ///< do the tangents differ?
+};
+/// No value where the tangent turns back, or e₁ would be reversed.
+std::optional<Meeting> meeting(const End& v, const End& w) {
+  const RationalQuaternion q = conjugate(v.a) * w.a;
+  if (v.sign != w.sign || (q.u == 0 && q.v == 0)) return std::nullopt;
+  return Meeting{{q.u, q.v}, q.p != 0 || q.q != 0};
 }
 
 /// The same curve with A·c and f/|c|².
@@ -61,17 +68,20 @@ PhPath::PhPath(Curve first) : segments_{std::move(first)} {
   if (sign_after_zero(curve.multiplier()) < 0) curve = turned_over(curve);
 }
 
-PhPath PhPath::of_continuous(std::vector<Curve> segments) {
+PhPath PhPath::of_continuous(std::vector<Curve> segments, std::vector<std::size_t> corners) {
   PhPath path;
   path.segments_ = std::move(segments);
+  path.corners_ = std::move(corners);
   return path;
 }
 
 void PhPath::append(const Curve& next) {
-  segments_.push_back(continuation(segments_.back(), next));
+  Continuation found = continuation(segments_.back(), next);
+  if (found.is_corner) corners_.push_back(segments_.size());
+  segments_.push_back(std::move(found.curve));
 }
 
-Curve continuation(const Curve& last, const Curve& next) {
+Continuation continuation(const Curve& last, const Curve& next) {
   const Vector<Rational> here = end_point(last);
   if (next.start() != here)
     throw DomainError(fmt::format("it starts at {}, but the spline ends at {}",
@@ -79,13 +89,14 @@ Curve continuation(const Curve& last, const Curve& next) {
   const End before = end_of(last);
   const Curve same_side =
       before.sign == sign_after_zero(next.multiplier()) ? next : turned_over(next);
-  const End after = start_of(same_side);
-  const auto z = turn(before, after);
-  if (!z)
+  const auto found = meeting(before, start_of(same_side));
+  if (!found)
     throw DomainError(
-        fmt::format("the tangent breaks: it starts in the direction {}, but the spline ends in {}",
-                    abbreviated(direction(after)), abbreviated(direction(before))));
-  return turned(same_side, conjugate(primitive_multiple(*z)));
+        fmt::format("the tangent turns back: the spline ends in the direction {}, and it starts in "
+                    "the opposite "
+                    "one, so that frames are undefined there",
+                    abbreviated(direction(before))));
+  return {turned(same_side, conjugate(primitive_multiple(found->turn))), found->is_corner};
 }
 
 PhPath joined(const std::vector<Curve>& curves) {
@@ -102,7 +113,8 @@ std::optional<GaussianRational> PhPath::closing_turn() const {
 
 std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last) {
   if (end_point(last) != first.start()) return std::nullopt;
-  return turn(end_of(last), start_of(first));
+  const auto found = meeting(end_of(last), start_of(first));
+  return found ? std::optional(found->turn) : std::nullopt;
 }
 
 PathParameter locate(const PhPath& path, const Rational& t) {

@@ -59,6 +59,22 @@ int sign_of(const Real& x) {
   return 0;
 }
 
+Real argument_of(const Real& x, const Real& y,
+                 std::function<std::optional<AlgebraicAngle>()> known) {
+  const bool is_on_axis = y.exact() == Rational(0);
+  const bool is_near_pi = is_on_axis ? sign_of(x) < 0 : sign_of(y) == 0 && sign_of(x) < 0;
+  if (is_on_axis && !is_near_pi) return Rational(0);
+  if (!known && is_on_axis) known = [] { return AlgebraicAngle(1); };
+  if (!known && x.exact() == Rational(0))
+    known = [half = Rational(sign_of(y), 2)] { return AlgebraicAngle(half); };
+  const auto enclosure = [x, y, is_near_pi](long bits) {
+    const ComplexBall z(x.enclose(bits + 8), y.enclose(bits + 8));
+    return is_near_pi ? argument_about_pi(z, bits + 8) : argument(z, bits + 8);
+  };
+  if (!known) return Real(enclosure);
+  return real_angle(enclosure, {0, std::move(known)}, x.origin().bits + y.origin().bits);
+}
+
 bool is_zero(const Vector<Real>& v) {
   return v[0].exact() == Rational(0) && v[1].exact() == Rational(0) && v[2].exact() == Rational(0);
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/algebra/real.hpp"
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -27,6 +27,11 @@ Real sum_of(const std::vector<Real>& terms);
 
 /// The sign of x; 0 also where 2048 bits do not tell it from 0.
 int sign_of(const Real& x);
+
+/// arg(x + iy) in (−π, π], or next to π where it is not told from that. Exact where y = 0 < x; the
+/// algebraic angle that it is, up to whole turns, may be given, and else is known on the axes.
+Real argument_of(const Real& x, const Real& y,
+                 std::function<std::optional<AlgebraicAngle>()> known = {});
 
 /// Is it known to be exactly 0?
 bool is_zero(const Vector<Real>& v);

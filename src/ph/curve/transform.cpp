@@ -94,7 +94,7 @@ Path mapped(const Path& path, const F& f, const Matrix& m, const Vector<Rational
       segments.push_back(moved(*curve, m, v));
     else
       segments.push_back(moved(std::get<ExpressionCurve>(segment), m, v));
-  return Path::of_continuous(std::move(segments));
+  return Path::of_continuous(std::move(segments), path.corners());
 }
 
 Matrix diagonal(const Rational& c) {
@@ -135,19 +135,26 @@ Path segment(const Path& path, const Rational& a, const Rational& b) {
   const auto [from, to] = std::minmax(a, b);
   for (const Rational& t : {from, to}) locate(path, t);  // where it throws
   std::vector<Segment> parts;
+  std::vector<std::size_t> corners;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const Rational before(static_cast<long>(k));
     const Rational first = std::max(Rational(from - before), Rational(0));
     const Rational last = std::min(Rational(to - before), Rational(1));
     if (first >= last) continue;
+    if (!parts.empty() && std::binary_search(path.corners().begin(), path.corners().end(), k))
+      corners.push_back(parts.size());
     parts.push_back(std::visit(
         [&](const auto& curve) {
           return a < b ? part(curve, first, last) : part(curve, last, first);
         },
         path.segments()[k]));
   }
-  if (b < a) std::reverse(parts.begin(), parts.end());
-  return Path::of_continuous(std::move(parts));
+  if (b < a) {
+    std::reverse(parts.begin(), parts.end());
+    std::reverse(corners.begin(), corners.end());
+    for (std::size_t& corner : corners) corner = parts.size() - corner;
+  }
+  return Path::of_continuous(std::move(parts), std::move(corners));
 }
 
 Path reversed(const Path& path) { return segment(path, path.end(), 0); }

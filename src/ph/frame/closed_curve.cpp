@@ -10,6 +10,9 @@
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
+// At a corner the frame of v turns as along a small arc in its place, along which the tangent goes
+// the shorter way on a great circle.
+//
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
 // copy of the curve shifted a little along e₃ is linked with it as one shifted along v.
 
@@ -36,7 +39,7 @@ Signs signs_along(const Segment& segment) {
 void check_closed(const Path& path) {
   if (!path.ends_meet()) throw DomainError("the curve is not closed: its ends do not meet");
   if (!path.is_closed())
-    throw DomainError("the curve is not closed: its tangent breaks where its ends meet");
+    throw DomainError("the curve is not closed: its tangent turns back where its ends meet");
   Signs signs;
   for (const Segment& segment : path.segments()) {
     const Signs of = signs_along(segment);
@@ -65,7 +68,8 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
   }
   const auto crossings = self_crossings(series_of(path), v);
   if (!crossings) return std::nullopt;
-  const Real turn = -angle->value({path.segments().size() - 1, Rational(1)});
+  const Real theta = angle->value({path.segments().size() - 1, Rational(1)});
+  const Real turn = -(theta + angle->turn_of_ends());
   return ClosedFrame{v, sum_of_signs(*crossings), Real([turn](long bits) {
                        return in_turns(turn.enclose(bits + 8), bits + 8);
                      })};

@@ -5,18 +5,21 @@
 
 namespace phrame {
 
-/// A closed regular curve with the frame of a vector v, e₂ = v × e₁/|v × e₁|, which closes with it.
-/// From these come all that does not depend on v [Călugăreanu 1961; White 1969; Fuller 1971].
+/// A closed regular curve, which may have corners, with the frame of a vector v, e₂ = v × e₁/|v ×
+/// e₁|, which closes with it. From these come all that does not depend on v [Călugăreanu 1961;
+/// White 1969; Fuller 1971].
 struct ClosedFrame {
   Vector<Rational> v;  ///< nowhere parallel to the tangent
   /// Lk of the curve and its copy shifted along v: the sum of the signs of the crossings that a
   /// projection along v shows, which are proved to be all.
   long linking;
-  Real twist;  ///< Tw = 1/(2π) ∫ e₂′·e₃, e₃ = e₁ × e₂: turns of the frame about the tangent
+  /// Tw = 1/(2π) ∫ e₂′·e₃, e₃ = e₁ × e₂: turns of the frame about the tangent, at corners against
+  /// one that is carried by the least rotation.
+  Real twist;
 };
 
 /// The frame of the first of a few v with which all is decided. Throws DomainError where the curve
-/// is not closed with a continuous tangent, or has a cusp, but for one of a PH curve that does not
+/// is not closed, or has a cusp, but for one of a PH curve that does not
 /// turn back there; Undecided where no v decides, as where the curve meets itself, and where it is
 /// not told whether it is closed. Cost: that of the crossings; the twist is found when it is asked
 /// for, of PH curves by a closed form.

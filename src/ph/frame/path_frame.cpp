@@ -20,25 +20,17 @@ Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
   return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
 }
 
-/// arg(x + iy) of x = n·e₂ and y = n·e₃ in (−π, π], or next to π where it is not told from that;
-/// `second` is along e₂. Its form is known where H, that and n are exact.
-Real argument_of(const Vector<Real>& n, const Frame<Real>& frame, const Vector<Real>& H,
-                 const Vector<Real>& second) {
+/// The angle about H from e₂, which `second` is along, to n. Its form is known where all are exact.
+Real angle_to(const Vector<Real>& n, const Vector<Real>& H, const Vector<Real>& second) {
   const Real x = dot(n, second);
   const Real y = dot(n, cross(H, second));
   const Real sigma = dot(H, H);
-  const bool is_near_pi = !y.exact() && sign_of(y) == 0 && sign_of(x) < 0;
-  const auto enclosure = [x = dot(n, frame.e2), y = dot(n, frame.e3), is_near_pi](long bits) {
-    const ComplexBall z(x.enclose(bits + 8), y.enclose(bits + 8));
-    return is_near_pi ? argument_about_pi(z, bits + 8) : argument(z, bits + 8);
-  };
-  if (y.exact() == Rational(0)) return sign_of(x) > 0 ? Real(Rational(0)) : to_real(Angle(1, 0));
-  if (x.exact() == Rational(0)) return to_real(Angle(Rational(sign_of(y), 2), 0));
-  if (!x.exact() || !y.exact() || !sigma.exact()) return Real(enclosure);
-  // e₃ is along H × second/|H|.
-  const auto rest = [x = *x.exact(), y = Rational(*y.exact() / *sigma.exact()),
-                     sigma = *sigma.exact()] { return AlgebraicAngle::argument(x, y, sigma); };
-  return real_angle(enclosure, {0, rest}, x.origin().bits + y.origin().bits);
+  const Real sine = over_square_root(y, sigma);
+  if (!x.exact() || !y.exact() || !sigma.exact()) return argument_of(x, sine);
+  return argument_of(
+      x, sine, [x = *x.exact(), y = Rational(*y.exact() / *sigma.exact()), sigma = *sigma.exact()] {
+        return AlgebraicAngle::argument(x, y, sigma);
+      });
 }
 
 /// As least_rotation_normal() of H/|H|; exact where that may be, or is a multiple of it.
@@ -170,24 +162,24 @@ StartAngle start_angle(const FrameStart& start, const PathAngle& angle, const Pl
     return start_angle(start, *ph, angle.reference(),
                        angle.reference() == Reference::up ? angle.up() : Vector<Rational>{},
                        *at.t.exact());
-  const Frame<Real> frame = reference_frame(angle, at);
   const Vector<Real> H = direction(angle.path(), at);
   const Vector<Real> second = second_axis(angle, at);
   if (const auto* least = std::get_if<LeastRotation>(&start))
-    return argument_of(least_rotation_normal_along(H), frame, H, second) + to_real(least->turn);
+    return angle_to(least_rotation_normal_along(H), H, second) + to_real(least->turn);
   const Vector<Rational>& normal = std::get<StartNormal>(start).vector;
   require_across(normal, H);
-  return argument_of(as_reals(normal), frame, H, second);
+  return angle_to(as_reals(normal), H, second);
 }
 
-// The frame of v closes with the tangent; the Euler–Rodrigues frame at the start is that at the
-// end, turned by 2·arg of closing_turn().
+// The frame of v closes with the tangent, but for a corner; the Euler–Rodrigues frame at the start
+// is that at the end, turned by 2·arg of closing_turn().
 StartAngle closing_angle(const StartAngle& start, const PathAngle& angle) {
   const Path& path = angle.path();
-  if (!path.is_closed())
-    throw DomainError(
-        "the path is not closed with a continuous tangent: no frame ends as it starts");
-  if (angle.reference() != Reference::euler_rodrigues) return start;
+  if (!path.is_closed()) throw DomainError("the path is not closed: no frame ends as it starts");
+  if (angle.reference() != Reference::euler_rodrigues) {
+    const Real turn = angle.turn_of_ends();
+    return turn.exact() == Rational(0) ? start : StartAngle(start.value + -turn);
+  }
   const GaussianRational turn = path.closing_turn().value();
   const FrameAngle back = angle_of(turn * turn);
   if (start.exact) return *start.exact + back;

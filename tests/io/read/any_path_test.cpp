@@ -204,8 +204,8 @@ TEST_CASE("what is wrong is refused at its place, in one line") {
             "control_points": [[0, 0], [1, 0, 0], [2, 2]])")) ==
         "/control_points/1: 3 numbers here, but 2 in the first point");
   CHECK(refusal(object("bspline/1", R"("degree": 1, "knots": [0, 0, 1, 2, 2],
-            "control_points": [[0, 0], [1, 0], [1, 1]])"))
-            .starts_with("/knots: between the knots 1 and 2: the tangent breaks"));
+            "control_points": [[0, 0], [1, 0], [-1, 0]])"))
+            .starts_with("/knots: between the knots 1 and 2: the tangent turns back"));
   CHECK(refusal(object("bspline/1", R"("degree": 2.5, "knots": [], "control_points": [])")) ==
         "/degree: the degree 5/2 is no whole number");
   CHECK(refusal(object("bspline/1", R"("degree": 2, "knots": [], "control_points": [])"))
@@ -220,8 +220,9 @@ TEST_CASE("what is wrong is refused at its place, in one line") {
   CHECK(refusal(object("points/1", R"("points": [[0, 0], [1, 1]], "kind": "clamped")")) ==
         "/: the key \"start_derivative\" is missing");
   CHECK(refusal(object("spline/1", R"("segments": [{"control_points": [[0, 0, 0], [1, 0, 0]]},
-            {"control_points": [[1, 0, 0], [1, 1, 0], [2, 2, 3]]}])"))
-            .starts_with("/segments/1: the tangent breaks: it starts in the direction (0, 1, 0)"));
+            {"control_points": [[1, 0, 0], [0, 0, 0], [2, 2, 3]]}])"))
+            .starts_with(
+                "/segments/1: the tangent turns back: the spline ends in the direction (1, 0, 0)"));
   CHECK(refusal("hello") == "1:1: a curve file is JSON, this begins with \"hello\"");
   CHECK(refusal("") == "1:1: not valid JSON: the input is empty");
   CHECK(refusal(object("curve/2", cubic)).starts_with("/phrame: the format is \"curve/1\", "));

@@ -414,10 +414,9 @@ TEST_CASE("spline files: what is wrong is told with its segment") {
   CHECK(refused("") == "/segments: a spline has at least one segment");
   CHECK(refused(along_x + "," + from_one + "," + from_one) ==
         "/segments/2: it starts at (1, 0, 0), but the spline ends at (2, 0, 0)");
-  CHECK(
-      refused(along_x + R"(, {"basis": "power", "quaternions": [[1, 0, 0, 1]]})") ==
-      "/segments/1: the tangent breaks: it starts in the direction (0, 1, 0), but the spline ends "
-      "in (1, 0, 0)");
+  CHECK(refused(along_x + R"(, {"basis": "power", "quaternions": [[0, 0, 1, 0]]})") ==
+        "/segments/1: the tangent turns back: the spline ends in the direction (1, 0, 0), and it "
+        "starts in the opposite one, so that frames are undefined there");
   CHECK(refused(along_x + R"(, {"basis": "power", "quaternions": [[1, 0, 0]]})") ==
         "/segments/1/quaternions/0: 4 numbers are wanted, not 3");
   CHECK(refused(along_x + R"(, {"phrame": "curve/2"})") ==

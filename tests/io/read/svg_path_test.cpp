@@ -90,9 +90,9 @@ TEST_CASE("SVG: the path that is drawn, with the transformations around it") {
 }
 
 TEST_CASE("what is no path is refused at its line and column") {
-  CHECK(refusal("M0 0 L1 0\nL1 1") ==
-        "2:1: the tangent breaks: it starts in the direction (0, 1, 0), but the spline ends in "
-        "(1, 0, 0)");
+  CHECK(refusal("M0 0 L1 0\nL0 0") ==
+        "2:1: the tangent turns back: the spline ends in the direction (1, 0, 0), and it starts in "
+        "the opposite one, so that frames are undefined there");
   CHECK(refusal("M0 0 L1 0 M2 0 L3 0") ==
         "1:11: a second subpath begins here; one curve is wanted");
   CHECK(refusal("M0 0 L1") == "1:8: a number is expected, not the end");

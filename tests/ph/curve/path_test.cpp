@@ -41,13 +41,13 @@ TEST_CASE("path: copies share their segments, until one of them grows") {
   CHECK_FALSE(path == copy);
 }
 
-TEST_CASE("path: a joint that breaks is refused, with what differs") {
+TEST_CASE("path: a joint at which it does not go on or turns back is refused, with what differs") {
   const RationalCurve line({Polynomial{0, 1}, {}, {}});
   CHECK(complaint(line, line) == "it starts at (0, 0, 0), but the spline ends at (1, 0, 0)");
   CHECK(complaint(line, RationalCurve({Polynomial{1, 2}, Polynomial{0, 0, 1}, {}})).empty());
   CHECK(complaint(line, RationalCurve({Polynomial{1, -2}, {}, {}})) ==
-        "the tangent breaks: it starts in the direction (-1, 0, 0), but the spline ends in (1, 0, "
-        "0)");
+        "the tangent turns back: the spline ends in the direction (1, 0, 0), and it starts in the "
+        "opposite one, so that frames are undefined there");
 }
 
 TEST_CASE("path: a circle of four rational arcs is closed, three of them are not") {
@@ -61,10 +61,11 @@ TEST_CASE("path: a circle of four rational arcs is closed, three of them are not
   CHECK(path.end() == 4);
   CHECK(locate(path, Rational(5, 2)).segment == 2);
   CHECK_THROWS_AS(locate(path, Rational(17, 4)), DomainError);
-  // A drop: its ends meet at an angle.
+  // A drop: its ends meet at a corner of 90°.
   const Path drop{Segment(bezier_curve({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 0}}))};
-  CHECK(drop.ends_meet());
-  CHECK_FALSE(drop.is_closed());
+  CHECK(drop.is_closed());
+  CHECK(drop.closes_at_corner());
+  CHECK_FALSE(path.closes_at_corner());
 }
 
 TEST_CASE("path: behind a cusp segments are turned over, so that e1 is continuous") {
@@ -135,8 +136,12 @@ TEST_CASE("path: periods with roots are closed, and arcs by formulas join lines 
   CHECK_FALSE(knot("pi/sqrt(2)").ends_meet());
   Path path(test::expression_curve({"cos(s)", "sin(s)", "0"}, "0", "pi/3"));
   path.append(test::expression_curve({"1/2 - sqrt(3)*s", "sqrt(3)/2 + s", "0"}, "0", "1"));
+  CHECK(path.corners().empty());
+  path.append(
+      test::expression_curve({"1/2 - sqrt(3) + s", "sqrt(3)/2 + 1 - sqrt(3)*s", "0"}, "0", "1"));
+  CHECK(path.corners() == std::vector<std::size_t>{2});
   CHECK_THROWS_AS(path.append(test::expression_curve(
-                      {"1/2 - sqrt(3) + s", "sqrt(3)/2 + 1 - sqrt(3)*s", "0"}, "0", "1")),
+                      {"3/2 - sqrt(3) - s", "1 - sqrt(3)/2 + sqrt(3)*s", "0"}, "0", "1")),
                   DomainError);
 }
 

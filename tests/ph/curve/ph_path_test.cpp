@@ -9,7 +9,7 @@
 
 using namespace phrame;
 
-TEST_CASE("path: a joint that breaks is refused, with what differs") {
+TEST_CASE("path: PH curves that do not go on or turn back are refused, with what differs") {
   const auto complaint = [](const Curve& first, const Curve& second) {
     try {
       PhPath path(first);
@@ -24,11 +24,13 @@ TEST_CASE("path: a joint that breaks is refused, with what differs") {
   const Vector<Rational> one{1, 0, 0};
   CHECK(complaint(line, Curve(line.preimage(), {1}, one)).empty());
   CHECK(complaint(line, Curve({{1}, {}, {}, {}}, {-1}, one)) ==
-        "the tangent breaks: it starts in the direction (-1, 0, 0), but the spline ends in (1, 0, "
-        "0)");
-  // By 10⁻³⁰ in the tangent.
+        "the tangent turns back: the spline ends in the direction (1, 0, 0), and it starts in the "
+        "opposite one, so that frames are undefined there");
+  // By 10⁻³⁰ in the tangent: a corner.
   const Rational tiny(1, pow(Integer(10), 30));
-  CHECK_FALSE(complaint(line, Curve({{1}, {}, {tiny}, {}}, {1}, one)).empty());
+  CHECK(complaint(line, Curve({{1}, {}, {tiny}, {}}, {1}, one)).empty());
+  CHECK(continuation(line, Curve({{1}, {}, {tiny}, {}}, {1}, one)).is_corner);
+  CHECK_FALSE(continuation(line, Curve(line.preimage(), {1}, one)).is_corner);
   // With A = j the same line, run through backwards by f = −1: e₁ is made continuous.
   CHECK(complaint(line, Curve({{}, {}, {1}, {}}, {-1}, one)).empty());
   CHECK_FALSE(complaint(line, Curve({{}, {}, {1}, {}}, {1}, one)).empty());

@@ -3,6 +3,8 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "support/curves.hpp"
+#include "support/expression_curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -196,4 +198,56 @@ TEST_CASE("path frame: a component of e1 that is constant is exact at any t") {
   CHECK(tangent(helix, anywhere)[0].exact() == Rational(-3, 5));
   CHECK(euler_rodrigues_frame(helix, anywhere).e1[0].exact() == Rational(-3, 5));
   CHECK_FALSE(tangent(helix, anywhere)[1].exact().has_value());
+}
+
+// Two ways: the Euler–Rodrigues frame is carried by the choice of preimages, that of a vector is
+// not.
+TEST_CASE("path frame: law: through corners by preimages and by positions it is the same") {
+  Random random(88);
+  for (int k = 0; k < 12; ++k) {
+    const auto quadratic = [&] {
+      return Polynomial{random.integer(1, 5), random.integer(-5, 5), random.integer(-5, 5)};
+    };
+    std::vector<Curve> curves;
+    for (int j = 0; j < 3; ++j)
+      curves.emplace_back(QuaternionPolynomial{quadratic(), quadratic(), quadratic(), quadratic()});
+    const PhPath ph = test::chain(curves);
+    CHECK(ph.corners().size() == 2);
+    const PathAngle by_preimage{Path(ph)};
+    const Path positions = by_positions(ph);
+    CHECK(positions.corners() == ph.corners());
+    const PathAngle by_points(positions);
+    const StartAngle start = start_angle(LeastRotation{}, by_preimage);
+    const StartAngle other = start_angle(LeastRotation{}, by_points);
+    for (const Rational& t :
+         {Rational(1, 3), Rational(1), Rational(5, 3), Rational(2), Rational(3)}) {
+      const Place at = locate(positions, t);
+      const Frame<Real> f = rotation_minimizing_frame(by_preimage, at, start);
+      const Frame<Real> g = rotation_minimizing_frame(by_points, at, other);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        CHECK(f.e1[axis].enclose(90).overlaps(g.e1[axis].enclose(90)));
+        CHECK(f.e2[axis].enclose(90).overlaps(g.e2[axis].enclose(90)));
+        CHECK(f.e3[axis].enclose(90).overlaps(g.e3[axis].enclose(90)));
+      }
+    }
+  }
+}
+
+// A circular arc has the tangents of the least rotation, whatever its radius.
+TEST_CASE("path frame: behind a corner it is what it is behind an arc that rounds the corner") {
+  const auto rounded = [](const std::string& r) {
+    const auto piece = [](const std::string& x, const std::string& y, const char* to) {
+      return Segment(test::expression_curve({x.c_str(), y.c_str(), "0"}, "0", to));
+    };
+    return joined({piece("(1 - " + r + ")*s", "0", "1"),
+                   piece("1 - " + r + " + " + r + "*sin(s)", r + " - " + r + "*cos(s)", "pi/2"),
+                   piece("1", r + " + (1 - " + r + ")*s", "1")});
+  };
+  const Path corner = test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+  const Vector<Rational> v{1, 2, 5};
+  const RealBall theta = PathAngle(corner, v).enclose({1, Rational(1)}, 100);
+  CHECK_FALSE(theta.contains_zero());
+  for (const char* radius : {"1/2", "1/1000", "sqrt(2)/10^9"})
+    CHECK(PathAngle(rounded(radius), v).enclose({2, Rational(1)}, 100).overlaps(theta));
+  CHECK(PathAngle(corner, {0, 0, 1}).is_zero());
 }
