@@ -8,6 +8,7 @@
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
@@ -68,6 +69,9 @@ InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
     find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   }
   add_totals(answer, query.digits);
+  for (const Corner& corner : corners(path))
+    answer.corners.push_back(
+        {corner.segment, rounded_or_zero(corner.angle, "the angle of a corner", query.digits)});
   const Real twist = reference_twist(angle);
   answer.twist = answer.up ? rounded_or_zero(twist, "the twist of the frame of v", query.digits)
                            : rounded(twist, "the twist", query.digits);

@@ -16,6 +16,11 @@ struct InfoAnswer {
     std::optional<Rational> exact = std::nullopt;  ///< where it is seen to be rational
     Decimal rounded = {};                          ///< to the digits asked for
   };
+  /// A break of the tangent, at the start of a segment: of the first where a closed path ends.
+  struct Corner {
+    std::size_t segment;  ///< 0, 1, …
+    Decimal angle;        ///< between the tangents
+  };
   NamedPath path;               ///< as asked
   Length length;                ///< ∫ |r′| dt
   std::vector<Length> lengths;  ///< of the segments
@@ -27,6 +32,7 @@ struct InfoAnswer {
   std::optional<Decimal> bending_energy;   ///< ∫ κ² ds; no value where it is infinite
   bool is_straight;                        ///< is it a straight line?
   std::optional<Vector<Rational>> normal;  ///< of the plane that it is in, where it is no line
+  std::vector<Corner> corners = {};        ///< all of them
   std::optional<Decimal> holonomy = {};    ///< where it is closed, but for a PH curve by itself
   std::string no_holonomy = {};            ///< why there is none of a closed one: it is undecided
   /// Of a rational curve by itself, in [0, 1].

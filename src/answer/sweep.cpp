@@ -9,6 +9,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/sweep/sweep_section.hpp"
 
 namespace phrame {
 namespace {
@@ -25,8 +26,7 @@ double angle_to(const Vector<double>& v, const Frame<double>& last) {
 }
 
 double turn_of(const SweepPath& path, const SweepQuery& query) {
-  const auto end = static_cast<double>(path.series.segments);
-  const Frame<double> last = path.frames(end);
+  const Frame<double> last = frame_at_end(path);
   const double twist = round_to_double(to_real(FrameAngle(query.twist)));
   if (!path.is_closed)
     return twist + (query.end_normal ? angle_to(round_to_double(*query.end_normal), last) : 0);
@@ -66,8 +66,7 @@ SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
 
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
   const PathAngle angle = angle_to(query.up, named.path);
-  return swept({series_of(named.path), CompiledFrames(angle, start_angle(query.start, angle)),
-                named.path.is_closed()},
+  return swept(sweep_path(named.path, CompiledFrames(angle, start_angle(query.start, angle))),
                query);
 }
 

@@ -14,6 +14,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/near.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::cli {
@@ -123,6 +124,8 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
 void CurveOptions::add_to(Command& command) {
   command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
   add_near(command, near);
+  command.add_option("--max-corner", "ANGLE", max_corner,
+                     "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
   command.add_output(output);
   add_max_degree(command, limits);
   limits.near_option = "--near";
@@ -154,7 +157,51 @@ NamedPhPath CurveOptions::read_path() const {
   return std::move(named);
 }
 
+namespace {
+
+/// The greatest one; where angles are not told apart, one of these.
+const Corner& greatest_of(const std::vector<Corner>& corners) {
+  const auto size = [](const Corner& corner) { return approximate(corner.angle.enclose(64)); };
+  return *std::max_element(corners.begin(), corners.end(),
+                           [&](const Corner& a, const Corner& b) { return size(a) < size(b); });
+}
+
+std::string angle_text(const Corner& corner) {
+  return fmt::format("{:.3g} radians at t = {}", approximate(corner.angle.enclose(64)),
+                     corner.segment);
+}
+
+void refuse_corners_beyond(const Angle& most, const std::vector<Corner>& corners,
+                           const std::string& file) {
+  for (const Corner& corner : corners)
+    if (sign_of(corner.angle + -to_real(most)) > 0)
+      throw InputError(file, "the path has a corner of " + angle_text(corner) +
+                                 ", more than --max-corner allows");
+}
+
+}  // namespace
+
 NamedPath CurveOptions::read_any_path() const {
+  NamedPath named = read_near_or_any();
+  const auto corners = phrame::corners(named.path);
+  if (corners.empty()) return named;
+  const std::string file = name_of_file(path);
+  if (max_corner)
+    refuse_corners_beyond(parse_angle_option("--max-corner", *max_corner), corners, file);
+  constexpr double rounding = 1e-6;
+  const Corner& greatest = greatest_of(corners);
+  if (approximate(greatest.angle.enclose(64)) > rounding)
+    note(fmt::format(
+        "{}: {}{}: frames turn there at once, by the least rotation, and curvature is "
+        "infinite",
+        file,
+        corners.size() == 1 ? "1 corner, of "
+                            : fmt::format("{} corners, the greatest of ", corners.size()),
+        angle_text(greatest)));
+  return named;
+}
+
+NamedPath CurveOptions::read_near_or_any() const {
   if (near) return read_path();
   if (const NamedPath* named = given_path(path)) return *named;
   NamedPath read = read_by(phrame::read_any_path, *this);

@@ -26,10 +26,12 @@ void add_near(Command& command, std::optional<std::string>& near);
 /// What it says, where it is given. Throws InputError where that is not > 0.
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near);
 
-/// What the commands that read a curve or a spline share: CURVE, --near, --max-degree, -o.
+/// What the commands that read a curve or a spline share: CURVE, --near, --max-corner,
+/// --max-degree, -o.
 struct CurveOptions {
   std::string path;
   std::optional<std::string> near;
+  std::optional<std::string> max_corner;
   CurveLimits limits;
   std::string output = "-";
 
@@ -40,8 +42,12 @@ struct CurveOptions {
   NamedCurve read_curve() const;
   NamedPhPath read_path() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
-  /// line on stderr says what --near gives closed forms.
+  /// line on stderr says what --near gives closed forms. Another one tells of corners that are no
+  /// rounding; those beyond --max-corner are refused.
   NamedPath read_any_path() const;
+
+ private:
+  NamedPath read_near_or_any() const;
 };
 
 /// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a

@@ -22,6 +22,7 @@ struct FramesOptions {
   std::vector<std::string> frames{"rmf"};
   std::vector<std::string> scalars;
   std::string by = "t";
+  std::string side = "right";
   std::string format = "csv";
   UpOption up;
   bool skips_undefined = false;
@@ -42,6 +43,8 @@ struct TabulatedFrames {
 };
 
 enum class By { parameter, arc_length };
+/// Which segment a corner belongs to.
+enum class Side { left, right, both };
 
 /// A frame of minimal twist ends with the curve.
 std::vector<Place> points(const std::vector<Rational>& numbers, const Path& path, bool ends) {
@@ -57,6 +60,25 @@ Rational length_below(const Real& length) {
   const Rational lower = length.enclose(192).lower();
   const Rational unit = power_of_two(binary_exponent(lower) - 51);
   return Rational(floor(lower / unit)) * unit;
+}
+
+/// The places and what they were asked for by, with the sides of corners that are asked for.
+void take_sides(std::vector<Place>& at, std::vector<Rational>& numbers, const Path& path,
+                Side side) {
+  if (side == Side::right) return;
+  if (path.corners().empty()) throw InputError("--side", "the path has no corner");
+  std::vector<Place> places;
+  std::vector<Rational> all;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const bool is_corner =
+        at[k].t.exact() == Rational(0) &&
+        std::binary_search(path.corners().begin(), path.corners().end(), at[k].segment);
+    if (is_corner) places.emplace_back(at[k].segment - 1, Rational(1));
+    if (!is_corner || side == Side::both) places.push_back(at[k]);
+    all.resize(places.size(), numbers[k]);
+  }
+  at = std::move(places);
+  numbers = std::move(all);
 }
 
 /// Where the arc length from the start has the values asked for; at a joint the later segment.
@@ -149,6 +171,9 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
     numbers = options.parameters.values(length_below(length.total()));
     at = points_by_length(numbers, length);
   }
+  take_sides(at, numbers, path,
+             choose<Side>("--side", options.side,
+                          {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
   FrameTable made = table(columns, [&] { return frame_table(angle, columns, at); });
   made.near = named.near;
   return {std::move(made), std::move(numbers)};
@@ -221,6 +246,9 @@ void add_frames(Program& program) {
       "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
+  command.add_choice("--side", options->side, {"right", "left", "both"},
+                     "right (default), left or both: the frame behind a corner, where the tangent\n"
+                     "breaks at a joint, that before it, or a row for each");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.only_with(StartOptions::names(), {"--frame rmf"});
   options->up.add_to(

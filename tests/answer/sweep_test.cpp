@@ -307,3 +307,58 @@ TEST_CASE("sweep: that a curve turns too far on is seen in the middle of it") {
                        doctest::Contains("sweep: near t = 0.5 the curve has a cusp, or"),
                        Undecided);
 }
+
+// Cavalieri: in the mitres of a profile around its centroid nothing is lost or gained.
+TEST_CASE("sweep: a pipe along the edges of a cube has the volume of its edges, mitred") {
+  const Path edges =
+      test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {0, 0, 0}});
+  const Profile square = rectangle_profile(Rational(1, 5), Rational(1, 5));
+  for (const SweepQuery& query : {within(square), in_sections(square, 5)}) {
+    const SweepAnswer made = answer(NamedPath("", edges), query);
+    CHECK(made.is_closed);
+    check_body(made.body, 0);
+    CHECK(made.body.mesh.points.size() == 24);
+    CHECK(std::abs(volume(made.body.mesh) - 6.0 / 25) < 1e-14);
+  }
+  const Path open = segment(edges, 0, 3);
+  const SweptBody body = answer(NamedPath("", open), within(square)).body;
+  check_body(body, 2);
+  CHECK(body.mesh.points.size() == 16);
+  CHECK(std::abs(volume(body.mesh) - 3.0 / 25) < 1e-14);
+}
+
+/// A quarter of a circle from a to c where b is the corner of their tangents.
+Segment quarter(const Vector<Rational>& a, const Vector<Rational>& b, const Vector<Rational>& c) {
+  return bezier_curve({a, b, c}, {1, 1, 2});
+}
+
+TEST_CASE("sweep: at a corner between arcs points on the axis of the turn are one") {
+  // They meet at 90° in the plane of x and y: f₃ is along z, and so is the axis.
+  const Path path =
+      joined({quarter({0, 0, 0}, {2, 0, 0}, {2, 2, 0}), quarter({2, 2, 0}, {4, 2, 0}, {4, 4, 0})});
+  REQUIRE(path.corners().size() == 1);
+  const Profile diamond = regular_polygon(4, Rational(1, 10));
+  const SweptBody body = answer(NamedPath("", path), within(diamond)).body;
+  CHECK(is_watertight(body.mesh));
+  CHECK(euler_characteristic(body.mesh) == 2);
+  CHECK(body.folds == 1);
+  // Around its centroid a profile of the area 2/100 along two quarters, up to the tolerance.
+  CHECK(std::abs(volume(body.mesh) - 0.02 * 2 * M_PI) < 1e-3 * 0.6 * 2 * M_PI);
+  CHECK(body.mesh.points.size() == 4 * body.sections - 2 * 2);  // two of three rings share them
+}
+
+TEST_CASE("sweep: a mitre nearer than the tolerance stands for the sections beside it") {
+  const Rational tiny(1, 1000000);
+  const Segment first = quarter({0, 0, 0}, {2, 0, 0}, {2, 2, 0});
+  const auto body_of = [&](const Rational& off) {
+    const Path path = joined({first, quarter({2, 2, 0}, {2 + 2 * off, 4, 0}, {0, 4, 0})});
+    return answer(NamedPath("", path), within(regular_polygon(5, 1))).body;
+  };
+  const SweptBody smooth = body_of(0);
+  const SweptBody body = body_of(tiny);
+  check_body(body, 2);
+  CHECK(body.sections == smooth.sections);
+  CHECK(*body.error - *smooth.error > 0.4e-6);  // tan(α/2)
+  CHECK(*body.error < 1e-3);
+  CHECK(body_of(Rational(1, 10)).folds > 0);
+}

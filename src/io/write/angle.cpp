@@ -78,6 +78,10 @@ std::string turning_text(const AngleAnswer& answer) {
         fmt::format("  f₂(0) is along {}, projected to the normal plane\n", shown(normal->vector));
   if (const auto* least = std::get_if<LeastRotation>(&answer.start))
     text += fmt::format("  At the start {}\n", to_sentence(*least));
+  if (!answer.path.path.corners().empty())
+    text +=
+        fmt::format("  At corners f₂ and f₃ are carried by the least rotation of the tangent{}\n",
+                    answer.reference == Reference::up ? ", and θ jumps" : "");
   return text + "\n";
 }
 

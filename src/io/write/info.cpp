@@ -192,12 +192,37 @@ Value segments_value(const InfoAnswer& info) {
           }};
 }
 
+/// The first of them in rows, all of them in JSON.
+Value corners_value(const std::vector<InfoAnswer::Corner>& corners) {
+  constexpr std::size_t most_rows = 12;
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (const auto& [segment, angle] : corners) {
+      if (list.size() == most_rows) {
+        list.push_back(fmt::format("and {} more", corners.size() - most_rows));
+        break;
+      }
+      const std::string at = formula(fmt::format("t = {}", segment), notation);
+      list.push_back(at + ": " + Value(angle).rows(notation).front());
+    }
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const auto& [segment, angle] : corners)
+      list.push_back({{"t", std::to_string(segment)}, {"angle", json_of(angle)}});
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
 /// Of a spline, or of a curve by itself that is not PH.
 Fields path_fields(const InfoAnswer& info, const Field& length) {
   const Closure closed = closure(info.path.path);
   Fields fields{{"segments", "", segments_value(info)},
                 json_field("closed", json_if_known(closed.is_closed)),
                 json_field("ends_meet", json_if_known(closed.ends_meet)),
+                {"corners", "corner at", corners_value(info.corners)},
                 length};
   if (!info.up) {
     fields.push_back({"twist_erf", "twist $∫ 2h/σ$", info.twist});

@@ -7,6 +7,7 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
+#include "phrame/ph/curve/corner.hpp"
 
 namespace phrame {
 namespace {
@@ -145,8 +146,13 @@ const Total* closed_form(const Row& row) {
   return is_of_curve ? std::get_if<Total>(&row.total->segments.front()) : nullptr;
 }
 
-std::string to_text(const Row& row) {
+bool is_energy(const Row& row) {
+  return row.quantity == Quantity::bending_energy || row.quantity == Quantity::frenet_energy;
+}
+
+std::string to_text(const Row& row, bool has_corners) {
   std::string text = "  " + prose(name(row), unicode);
+  if (has_corners && is_energy(row)) text += ", without the corners, where it is infinite";
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
@@ -216,7 +222,8 @@ std::string to_text(const TotalsAnswer& answer) {
   const std::size_t count = answer.path.path.segments().size();
   std::string text = heading(answer.path) + "\n\n";
   if (answer.up) text += fmt::format("  v = {}\n\n", shown(*answer.up));
-  for (const Row& row : answer.rows) text += to_text(row) + "\n";
+  const bool has_corners = !corners(answer.path.path).empty();
+  for (const Row& row : answer.rows) text += to_text(row, has_corners) + "\n";
   return text +
          fmt::format("From t = 0 to {}{}; decimals are correctly rounded to {}.{}\n", count,
                      count == 1 ? "" : ", the sums over the segments",
@@ -237,6 +244,8 @@ std::string to_json(const TotalsAnswer& answer) {
   if (const Curve* curve = ph_by_itself(answer)) json["degree"] = degree(*curve);
   if (answer.up) json["up"] = json_of(*answer.up);
   for (const Row& row : answer.rows) json[label(row.quantity).key] = json_of(row, is_curve);
+  if (const auto breaks = corners(answer.path.path); !breaks.empty())
+    json["corners"] = breaks.size();
   add_nearness(json, answer.path.near);
   return pretty(json);
 }

@@ -24,22 +24,45 @@ int side_of(const Path& path, const PathParameter& at) {
                      path.segments()[at.segment]);
 }
 
+/// How well a frame fits a tangent along T, the greater the better: by its own one or f₂ × f₃, in
+/// either direction, or by how far f₂ is across T.
+Real fit(const GivenFrame& frame, const Vector<Real>& T) {
+  const auto squared_cosine = [&, size = dot(T, T)](const Vector<Rational>& v) {
+    const Real cosine = over_square_root(dot(as_reals(v), T), size);
+    return cosine * cosine;
+  };
+  if (frame.tangent) return squared_cosine(*frame.tangent);
+  if (frame.f3) return squared_cosine(cross(frame.f2, *frame.f3));
+  return -squared_cosine(frame.f2);
+}
+
+/// Where the frame is: at a corner on the side whose tangent it fits better, else on the later one.
+PathParameter place_of(const Path& path, const GivenFrame& frame) {
+  const PathParameter after = locate(path, frame.t);
+  if (after.t != 0 ||
+      !std::binary_search(path.corners().begin(), path.corners().end(), after.segment))
+    return after;
+  const PathParameter before{after.segment - 1, 1};
+  const Real gain = fit(frame, direction(path, before)) + -fit(frame, direction(path, after));
+  return sign_of(gain) > 0 ? before : after;
+}
+
 /// What the tangents given take for forward: the preimage, or H, if most of those where p < 0 do.
 Forward forward_of(const Path& path, const std::vector<GivenFrame>& frames) {
   long balance = 0;
   for (const GivenFrame& frame : frames) {
     if (!frame.tangent) continue;
-    const PathParameter at = locate(path, frame.t);
+    const PathParameter at = place_of(path, frame);
     if (side_of(path, at) >= 0) continue;
     balance += sign_of(dot(as_reals(*frame.tangent), direction(path, at)));
   }
   return balance > 0 ? Forward::preimage : Forward::motion;
 }
 
-/// Of the path at t; n only where it is defined.
-ExactFrame exact_frame(const PathAngle& angle, const Rational& t, Forward forward, long bits) {
+/// Of the path there; n only where it is defined.
+ExactFrame exact_frame(const PathAngle& angle, const PathParameter& at, Forward forward,
+                       long bits) {
   const Path& path = angle.path();
-  const PathParameter at = locate(path, t);
   const Vector<Real> H = direction(path, at);
   ExactFrame exact{H, second_axis(angle, at), std::nullopt, angle.value(at).enclose(bits),
                    forward == Forward::preimage ? 1 : side_of(path, at)};
@@ -79,7 +102,8 @@ FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>&
   const PathLength length(path);
   const ExactFrames exact{
       [&](const GivenFrame& frame, long bits) {
-        return deviation_from(exact_frame(angle, frame.t, forward, bits), frame, bits);
+        return deviation_from(exact_frame(angle, place_of(path, frame), forward, bits), frame,
+                              bits);
       },
       [&](const Rational& a, const Rational& b, long bits) {
         return length_between(length, path, a, b, bits);
@@ -92,7 +116,7 @@ bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
                      const Rational& tolerance) {
   return std::all_of(frames.begin(), frames.end(), [&](const GivenFrame& frame) {
     if (!frame.tangent) return true;
-    const Vector<Rational> tangent = near(direction(path, locate(path, frame.t)));
+    const Vector<Rational> tangent = near(direction(path, place_of(path, frame)));
     const Vector<Rational> c = cross(*frame.tangent, tangent);
     const Rational squared_size = dot(*frame.tangent, *frame.tangent) * dot(tangent, tangent);
     return squared_size != 0 && dot(c, c) <= tolerance * tolerance * squared_size;

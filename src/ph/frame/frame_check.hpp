@@ -35,8 +35,9 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
 
 /// Judges frames, with the exact ones of the path: they pass where all angles, cosines and lengths
 /// are within the tolerance and no frame is left-handed. First and last are those of the least and
-/// the largest t. Where f or p changes its sign, the tangent is either vector: the one that most of
-/// the frames take for forward. Throws Undecided where 4096 bits do not tell a number from the
+/// the largest t; at a corner a frame is compared with that of the side whose tangent it fits
+/// better. Where f or p changes its sign, the tangent is either vector: the one that most of the
+/// frames take for forward. Throws Undecided where 4096 bits do not tell a number from the
 /// tolerance, and DomainError as start_angle() does, and for a t outside the path. Preconditions:
 /// there is at least one frame, and the angle is not to the Frenet frame.
 FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>& frames,

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/length_share.hpp"
@@ -19,9 +21,14 @@
 namespace phrame {
 namespace {
 
+bool is_constant(const RationalFunction& f) {
+  return f.numerator().degree() <= 0 && f.denominator().degree() <= 0;
+}
+
 /// Sections from start to end, and what the triangles between them are off.
 struct SectionList {
   std::vector<SweepSection> sections;
+  double joint_error = 0;  ///< where a mitre is taken for the sections on its sides
   double patch_error = 0;
   double normal_error = 0;
   double rounding = 0;  ///< of corners
@@ -44,17 +51,29 @@ class Tessellation {
         is_against_(direction_of_motion(path) < 0) {}
 
   bool is_against() const { return is_against_; }  ///< does the path go against e₁?
-  SweepParts parts(double tolerance) const {
-    return sweep_parts(path_, scale_, turn_per_length_, form_.profile.reach(), tolerance);
-  }
+  /// A line between mitres is one.
+  SweepParts parts(double tolerance) const;
+  /// Finds how the sections at corners are joined: where the mitre is nearer than `within` to the
+  /// sections on its sides it stands for these.
+  void join_corners(double within);
   /// Between which triangles are within `tolerance` of their patches, and within the normals' one.
   SectionList sections(const std::vector<SweepPart>& parts, double tolerance) const;
-  /// So many for an open path, one more for a closed one.
-  SectionList equal_sections(long count) const;
+  /// So many for an open path, one more for a closed one, but none on lines between mitres, and
+  /// those of corners.
+  SectionList equal_sections(long wanted) const;
 
  private:
   static int direction_of_motion(const SweepPath& path);
   double normal_error(const SweepPart& part, const SweepSection& a, const SweepSection& b) const;
+  bool has_corner(std::size_t segment) const { return corners_.contains(segment % count()); }
+  std::size_t count() const { return path_.series.segments; }
+  bool is_between_mitres(std::size_t segment) const;
+  bool has_section_before(std::size_t corner) const;
+  bool has_section_behind(std::size_t corner) const;
+  SweepSection start() const;
+  SweepSection end_of(const SweepPart& part, const SweepSection& first) const;
+  void add_behind(SectionList& found, std::size_t segment) const;
+  void add_corner(SectionList& found, std::size_t segment) const;
   /// Are two sections no farther from each other than some units in the last place?
   static bool is_rounded_away(const SweepSection& a, const SweepSection& b);
 
@@ -64,7 +83,86 @@ class Tessellation {
   SweepSections sections_;
   double turn_per_length_;
   bool is_against_;
+  /// By the segments that begin with one: does the mitre stand for the sections beside it?
+  std::map<std::size_t, bool> corners_{};
+  std::vector<bool> between_mitres_{};  ///< of segments: are they lines from mitre to mitre?
+  double joint_error_ = 0;
 };
+
+// At a corner a body has the section where one segment ends, the mitre, and the section where the
+// next one begins; towards the inner side the facets between them lead back. A line between two
+// mitres is bounded by plane facets from the one to the other, if all its edges lead forward.
+
+void Tessellation::join_corners(double within) {
+  std::map<std::size_t, std::vector<double>> offsets;
+  for (const std::size_t k : path_.corners) {
+    const auto& of = offsets[k] = sections_.mitre_offsets(k);
+    double farthest = 0;
+    for (const double x : of) farthest = std::max(farthest, std::abs(x));
+    corners_[k] = farthest <= within;
+    if (corners_[k]) joint_error_ = std::max(joint_error_, farthest * sweep_slack);
+  }
+  if (corners_.empty()) return;
+  const bool is_prism = is_constant(form_.scale) && turn_per_length_ == 0;
+  const std::vector<double> none(form_.profile.corners().size());
+  const auto offset_at = [&](std::size_t k) -> const std::vector<double>& {
+    const auto found = offsets.find(k % count());
+    return found == offsets.end() ? none : found->second;
+  };
+  for (std::size_t k = 0; k < count(); ++k) {
+    bool is_forward = is_prism && path_.are_lines[k];
+    const double length = is_forward ? sections_.chord(k) : 0;
+    for (std::size_t j = 0; is_forward && j < none.size(); ++j)
+      is_forward = length - offset_at(k + 1)[j] - offset_at(k)[j] > length / 64;
+    between_mitres_.push_back(is_forward);
+  }
+}
+
+bool Tessellation::is_between_mitres(std::size_t segment) const {
+  return !between_mitres_.empty() && between_mitres_[segment % count()];
+}
+
+bool Tessellation::has_section_before(std::size_t corner) const {
+  return !corners_.at(corner % count()) && !is_between_mitres(corner + count() - 1);
+}
+
+bool Tessellation::has_section_behind(std::size_t corner) const {
+  return !corners_.at(corner % count()) && !is_between_mitres(corner);
+}
+
+SweepParts Tessellation::parts(double tolerance) const {
+  SweepParts found = sweep_parts(path_, scale_, turn_per_length_, form_.profile.reach(), tolerance);
+  const auto is_superfluous = [&](const SweepPart& part) {
+    return is_between_mitres(part.segment) && part.from > 0;
+  };
+  found.parts.erase(std::remove_if(found.parts.begin(), found.parts.end(), is_superfluous),
+                    found.parts.end());
+  for (SweepPart& part : found.parts)
+    if (is_between_mitres(part.segment)) part.to = 1;
+  return found;
+}
+
+/// What comes behind the mitre at the start of a segment.
+void Tessellation::add_behind(SectionList& found, std::size_t segment) const {
+  if (!has_section_behind(segment)) return;
+  found.add(sections_.section(segment, 0));
+  found.sections.back().is_joint = true;
+}
+
+SweepSection Tessellation::start() const {
+  return has_corner(0) ? sections_.mitre(0) : sections_.section(0, 0);
+}
+
+/// The section at the end of a part. The last one of a closed path is the first again.
+SweepSection Tessellation::end_of(const SweepPart& part, const SweepSection& first) const {
+  const std::size_t next = part.segment + 1;
+  const bool is_end = part.to == 1 && (next < count() || path_.is_closed);
+  const bool is_mitre = is_end && has_corner(next) && !has_section_before(next);
+  SweepSection section =
+      is_mitre && next < count() ? sections_.mitre(next) : sections_.section(part.segment, part.to);
+  if (is_end && next == count() && (is_mitre || !has_corner(0))) section.points = first.points;
+  return section;
+}
 
 /// 1 where the path goes along e₁, −1 where it goes against it.
 int Tessellation::direction_of_motion(const SweepPath& path) {
@@ -98,15 +196,15 @@ bool Tessellation::is_rounded_away(const SweepSection& a, const SweepSection& b)
 
 SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double tolerance) const {
   SectionList found;
-  found.add(sections_.section(0, 0));
+  found.joint_error = joint_error_;
+  found.add(start());
+  if (has_corner(0)) add_behind(found, 0);
   std::vector<SweepPart> left(parts.rbegin(), parts.rend());
   Stage stage("parts", parts.size());
   std::size_t whole = parts.size();  // of the given parts those that are left
   while (!left.empty()) {
     const SweepPart part = left.back();
-    SweepSection next = sections_.section(part.segment, part.to);
-    // The last section of a closed path is the first again.
-    if (path_.is_closed && left.size() == 1) next.points = found.sections.front().points;
+    SweepSection next = end_of(part, found.sections.front());
     const SweepSection& last = found.sections.back();
     const double error = patch_error(sections_, last, next);
     const double of_normals = form_.normal_tolerance ? normal_error(part, last, next) : 0;
@@ -136,51 +234,111 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
       stage.advance();
     }
     found.add(std::move(next));
+    if (part.to == 1) add_corner(found, part.segment + 1);
     if (found.sections.size() * sections_.corners().size() > most_sweep_points)
       throw Undecided("sweep: more than 20000000 points are needed");
   }
   return found;
 }
 
-SectionList Tessellation::equal_sections(long count) const {
+/// The rest of the corner behind the section where the segment before ends.
+void Tessellation::add_corner(SectionList& found, std::size_t segment) const {
+  if (!has_corner(segment)) return;
+  if (has_section_before(segment)) {
+    SweepSection mitre = segment < count() ? sections_.mitre(segment) : found.sections.front();
+    const auto offsets = sections_.mitre_offsets(segment % count());
+    const double rounding = 8 * mitre.rounding;
+    mitre.folds = std::count_if(offsets.begin(), offsets.end(),
+                                [&](double offset) { return offset > rounding; });
+    mitre.is_joint = true;
+    found.add(std::move(mitre));
+  }
+  if (segment < count()) add_behind(found, segment);
+}
+
+SectionList Tessellation::equal_sections(long wanted) const {
   const auto segments = static_cast<long>(path_.series.segments);
   const long least = path_.is_closed ? 3 : 2;
-  if (count < least)
+  if (wanted < least)
     throw DomainError(fmt::format("sweep: {} sections of {} path bound no body, at least {} do",
-                                  count, path_.is_closed ? "a closed" : "an open", least));
-  const long steps = path_.is_closed ? count : count - 1;
+                                  wanted, path_.is_closed ? "a closed" : "an open", least));
+  const long steps = path_.is_closed ? wanted : wanted - 1;
   SectionList found;
+  found.joint_error = joint_error_;
   Stage stage("sections", static_cast<std::size_t>(steps) + 1);
-  for (long k = 0; k <= steps; ++k, stage.advance()) {
-    const PathParameter at = locate_inside(path_.series.segments, Rational(segments * k, steps));
-    found.add(sections_.section(at.segment, round_to_double(at.t)));
+  std::size_t segment = 0;  // up to its start all is there
+  found.add(start());
+  if (has_corner(0)) add_behind(found, 0);
+  const auto add_corners_up_to = [&](std::size_t last) {
+    while (segment < last) {
+      const SweepPart end{segment++, 0, 1};
+      if (!has_corner(segment)) continue;
+      found.add(end_of(end, found.sections.front()));
+      add_corner(found, segment);
+    }
+  };
+  for (long k = 1; k <= steps; ++k, stage.advance()) {
+    const PathParameter at = locate_inside(count(), Rational(segments * k, steps));
+    add_corners_up_to(at.segment);
+    const bool is_there = (at.t == 0 && has_corner(at.segment)) || is_between_mitres(at.segment);
+    if (k == steps || !is_there)
+      found.add(end_of({at.segment, 0, round_to_double(at.t)}, found.sections.front()));
   }
+  if (path_.is_closed) add_corner(found, count());
   return found;
+}
+
+/// The numbers of the points of rings, the points of each ring. At a corner a point that is on the
+/// axis of the turn is in several rings.
+std::vector<std::uint32_t> ring_points(const std::vector<SweepSection>& sections, std::size_t rings,
+                                       Mesh& mesh) {
+  const std::size_t corners = sections.front().points.size();
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(rings * corners);
+  const auto is_same = [&](const SweepSection& a, const SweepSection& b, std::size_t k) {
+    const Vector<double> way = b.points[k] - a.points[k];
+    return std::hypot(way[0], way[1], way[2]) <= 8 * (a.rounding + b.rounding);
+  };
+  const bool is_joint_at_end = rings < sections.size() && sections.back().is_joint;
+  for (std::size_t ring = 0; ring < rings; ++ring)
+    for (std::size_t k = 0; k < corners; ++k) {
+      if (ring > 0 && sections[ring].is_joint && is_same(sections[ring - 1], sections[ring], k)) {
+        numbers.push_back(numbers[numbers.size() - corners]);
+      } else if (ring > 0 && ring + 1 == rings && is_joint_at_end &&
+                 is_same(sections[ring], sections.front(), k)) {
+        numbers.push_back(numbers[k]);
+      } else {
+        numbers.push_back(static_cast<std::uint32_t>(mesh.points.size()));
+        mesh.points.push_back(sections[ring].points[k]);
+      }
+    }
+  return numbers;
 }
 
 /// The last section, of a closed path, is the first again.
 Mesh mesh_of(const std::vector<SweepSection>& sections, const Profile& profile, bool is_closed) {
-  const auto corners = static_cast<std::uint32_t>(profile.corners().size());
-  const auto rings = static_cast<std::uint32_t>(sections.size() - (is_closed ? 1 : 0));
+  const std::size_t corners = profile.corners().size();
+  const std::size_t rings = sections.size() - (is_closed ? 1 : 0);
   Mesh mesh;
-  mesh.points.reserve(std::size_t{rings} * corners);
-  for (std::uint32_t ring = 0; ring < rings; ++ring)
-    mesh.points.insert(mesh.points.end(), sections[ring].points.begin(),
-                       sections[ring].points.end());
-  for (std::uint32_t ring = 0; ring + (is_closed ? 0 : 1) < rings; ++ring) {
-    const std::uint32_t here = ring * corners;
-    const std::uint32_t there = (ring + 1) % rings * corners;
-    for (std::uint32_t k = 0; k < corners; ++k) {
-      const auto next = static_cast<std::uint32_t>(profile.next(k));
-      mesh.triangles.push_back({here + k, here + next, there + next});
-      mesh.triangles.push_back({here + k, there + next, there + k});
+  mesh.points.reserve(rings * corners);
+  const std::vector<std::uint32_t> numbers = ring_points(sections, rings, mesh);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) mesh.triangles.push_back({a, b, c});
+  };
+  for (std::size_t ring = 0; ring + (is_closed ? 0 : 1) < rings; ++ring) {
+    const std::uint32_t* here = &numbers[ring * corners];
+    const std::uint32_t* there = &numbers[(ring + 1) % rings * corners];
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::size_t next = profile.next(k);
+      add(here[k], here[next], there[next]);
+      add(here[k], there[next], there[k]);
     }
   }
   if (is_closed) return mesh;
-  const std::uint32_t last = (rings - 1) * corners;
+  const std::uint32_t* last = &numbers[(rings - 1) * corners];
   for (const auto& [i, j, k] : triangulated(profile)) {
-    mesh.triangles.push_back({i, k, j});  // seen from behind
-    mesh.triangles.push_back({last + i, last + j, last + k});
+    add(numbers[i], numbers[k], numbers[j]);  // seen from behind
+    add(last[i], last[j], last[k]);
   }
   return mesh;
 }
@@ -243,7 +401,7 @@ double greatest_scale(const RationalFunction& scale, std::size_t segments) {
 namespace {
 
 /// Of the mesh beside its points: what is within the tolerance, and the bounds.
-SectionList within(const Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
+SectionList within(Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
                    double scale, SweptBody& body) {
   const double all = round_to_double(std::get<Rational>(form.tolerance_or_sections)) / sweep_slack;
   const double of_profile = round_to_double(form.profile.error()) * scale * sweep_slack;
@@ -254,15 +412,12 @@ SectionList within(const Tessellation& tessellation, const SweepPath& path, cons
     throw DomainError(
         "sweep: the sides of the profile are not as near to its tangents as normals are to be");
   const double left = beside_rounding(all - of_profile, path, form, scale);
+  tessellation.join_corners(left * 0.04);
   const SweepParts parts = tessellation.parts(left * 0.6);
   SectionList found = tessellation.sections(parts.parts, left * 0.35);
-  body.error = of_profile + parts.error + found.patch_error;
+  body.error = of_profile + parts.error + found.patch_error + found.joint_error;
   if (form.normal_tolerance) body.normal_error = found.normal_error;
   return found;
-}
-
-bool is_constant(const RationalFunction& f) {
-  return f.numerator().degree() <= 0 && f.denominator().degree() <= 0;
 }
 
 /// At some t on all segments.
@@ -327,6 +482,15 @@ void require_within(double error, const SweepForm& form) {
 
 }  // namespace
 
+SweepPath sweep_path(const Path& path, CompiledFrames frames) {
+  SweepPath swept{series_of(path), std::move(frames), path.is_closed(), path.corners()};
+  if (swept.is_closed && path.closes_at_corner()) swept.corners.insert(swept.corners.begin(), 0);
+  if (!swept.corners.empty())
+    for (const Segment& segment : path.segments())
+      swept.are_lines.push_back(are_on_a_line(direction_span(segment)));
+  return swept;
+}
+
 SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   const double scale = greatest_scale(form.scale, path.series.segments);
   const std::optional<LengthShare> share = share_of(path, form.turn);
@@ -336,11 +500,12 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
     swept.origin = {exact_rational(near[0]), exact_rational(near[1]), exact_rational(near[2])};
   }
   swept.profile = profile_for_normals(path, swept, share);
-  const Tessellation tessellation(path, swept, share);
+  Tessellation tessellation(path, swept, share);
   SweptBody body;
   SectionList found;
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
     tessellation.parts(HUGE_VAL);  // there is no cusp
+    tessellation.join_corners(1e-6 * swept.profile.reach() * scale);
     found = tessellation.equal_sections(*count);
   } else {
     found = within(tessellation, path, swept, scale, body);

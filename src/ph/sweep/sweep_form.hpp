@@ -14,8 +14,14 @@ namespace phrame {
 struct SweepPath {
   CurveSeries series;      ///< the path, of PH curves or of any kind
   CompiledFrames frames;   ///< on [0, the number of segments]
-  bool is_closed = false;  ///< with its tangent, so that it needs no caps?
+  bool is_closed = false;  ///< so that it needs no caps?
+  /// The segments, ascending, that begin with a corner, 0 where the ends of a closed path meet at
+  /// one.
+  std::vector<std::size_t> corners = {};
+  std::vector<bool> are_lines = {};  ///< of each segment, where there are corners
 };
+/// Of this path, which frames() are of.
+SweepPath sweep_path(const Path& path, CompiledFrames frames);
 
 /// How a profile is swept.
 struct SweepForm {

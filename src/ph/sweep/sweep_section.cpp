@@ -12,25 +12,6 @@ namespace {
 
 constexpr long section_bits = 128;
 
-/// r, r′ and r″.
-struct PathDerivatives {
-  Vector<RealBall> place;
-  Vector<double> rate;
-  Vector<double> second;
-};
-
-PathDerivatives derivatives_at(const SweepPath& path, std::size_t segment, double t) {
-  const auto series =
-      path.series.position(segment, RealBall(exact_rational(t), section_bits), 3, section_bits);
-  PathDerivatives found{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    found.place[k] = series[k].coefficient(0);
-    found.rate[k] = approximate(series[k].coefficient(1));
-    found.second[k] = 2 * approximate(series[k].coefficient(2));
-  }
-  return found;
-}
-
 /// A double in the ball, and a bound of how far a number of the ball is from it.
 std::pair<double, double> middle_of(const RealBall& a) {
   const double middle = approximate(a);
@@ -52,6 +33,18 @@ double round_point(Vector<double>& point, Coordinates numbers) {
 
 }  // namespace
 
+SweepSections::PathDerivatives SweepSections::derivatives_at(std::size_t segment, double t) const {
+  const auto series =
+      path_.series.position(segment, RealBall(exact_rational(t), section_bits), 3, section_bits);
+  PathDerivatives found{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    found.place[k] = series[k].coefficient(0);
+    found.rate[k] = approximate(series[k].coefficient(1));
+    found.second[k] = 2 * approximate(series[k].coefficient(2));
+  }
+  return found;
+}
+
 SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
                              const std::optional<LengthShare>& share)
     : path_(path), form_(form), share_(share), scale_(form.scale) {
@@ -61,40 +54,123 @@ SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
     corners_.push_back({round_to_double(x), round_to_double(y)});
 }
 
-SweepSection SweepSections::section(std::size_t segment, double t) const {
-  const auto [place, rate, second] = derivatives_at(path_, segment, t);
-  const double square = dot(rate, rate);
+bool SweepSections::has_corner(std::size_t segment) const {
+  return std::binary_search(path_.corners.begin(), path_.corners.end(), segment);
+}
+
+std::size_t SweepSections::before(std::size_t segment) const {
+  return (segment > 0 ? segment : path_.series.segments) - 1;
+}
+
+Vector<double> SweepSections::tangent(std::size_t segment, double t) const {
+  const Vector<double> rate = derivatives_at(segment, t).rate;
+  return 1 / size(rate) * rate;
+}
+
+namespace {
+
+/// v turned by the least rotation that takes the unit vector a to b.
+Vector<double> carried(const Vector<double>& v, const Vector<double>& a, const Vector<double>& b) {
+  const Vector<double> axis = cross(a, b);
+  return dot(a, b) * v + cross(axis, v) + (dot(axis, v) / (1 + dot(a, b))) * axis;
+}
+
+}  // namespace
+
+Frame<double> frame_at_end(const SweepPath& path) {
+  const Frame<double> last = path.frames(static_cast<double>(path.series.segments));
+  if (path.corners.empty() || path.corners.front() != 0) return last;
+  const Vector<double> first = path.frames(0).e1;
+  return {first, carried(last.e2, last.e1, first), carried(last.e3, last.e1, first)};
+}
+
+// The frames of a joint are those behind the corner.
+Frame<double> SweepSections::frame(std::size_t segment, double t) const {
+  const Frame<double> found = path_.frames(static_cast<double>(segment) + t);
+  if (t < 1 || segment + 1 == path_.series.segments || !has_corner(segment + 1)) return found;
+  const Vector<double> here = tangent(segment + 1, 0);
+  const Vector<double> back = tangent(segment, 1);
+  return {carried(found.e1, here, back), carried(found.e2, here, back),
+          carried(found.e3, here, back)};
+}
+
+std::vector<Vector<double>> SweepSections::outline(std::size_t segment, double t) const {
+  const Frame<double> axes = frame(segment, t);
+  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
+  const double scale = scale_.at(0, static_cast<double>(segment) + t);
+  const double cos = scale * std::cos(phi);
+  const double sin = scale * std::sin(phi);
+  std::vector<Vector<double>> points;
+  points.reserve(corners_.size());
+  for (const auto& [x, y] : corners_)
+    points.push_back((cos * x - sin * y) * axes.e2 + (sin * x + cos * y) * axes.e3);
+  return points;
+}
+
+SweepSection SweepSections::around(const PathDerivatives& at, double along,
+                                   const std::vector<Vector<double>>& outline) const {
   Vector<double> center{};
   double off = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto [x, error] = middle_of(subtract(place[k], origin_[k], section_bits));
+    const auto [x, error] = middle_of(subtract(at.place[k], origin_[k], section_bits));
     center[k] = x;
     off += error;
   }
-  const double along = static_cast<double>(segment) + t;
-  const Frame<double> frame = path_.frames(along);
-  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
-  const double scale = scale_.at(0, along);
-  const double cos = scale * std::cos(phi);
-  const double sin = scale * std::sin(phi);
-  SweepSection section{along, {}, 0, 0};
-  section.points.reserve(corners_.size());
-  for (const auto& [x, y] : corners_) {
-    const Vector<double> out = (cos * x - sin * y) * frame.e2 + (sin * x + cos * y) * frame.e3;
+  SweepSection section{along, {}};
+  section.points.reserve(outline.size());
+  for (const Vector<double>& out : outline) {
     Vector<double> point = center + out;
     section.rounding = std::max(section.rounding, round_point(point, form_.numbers));
     section.points.push_back(point);
-    // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
-    if (dot(out, second) >= square) ++section.folds;
   }
   section.rounding = (section.rounding + off) * sweep_slack;
   return section;
 }
 
+SweepSection SweepSections::section(std::size_t segment, double t) const {
+  const PathDerivatives at = derivatives_at(segment, t);
+  const auto outline = this->outline(segment, t);
+  SweepSection section = around(at, static_cast<double>(segment) + t, outline);
+  // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
+  const double square = dot(at.rate, at.rate);
+  for (const Vector<double>& out : outline)
+    if (dot(out, at.second) >= square) ++section.folds;
+  return section;
+}
+
+// The reflection in the plane through the center that is normal to m = T₋ + T₊, unit tangents,
+// takes T₋ to −T₊ and what is normal to T₋ to where the least rotation takes it: the lines along
+// the tangents through a corner of the profile before and behind, v, meet in that plane, in v −
+// (v·m)/(T₊·m)·T₊.
+std::vector<double> SweepSections::mitre_offsets(std::size_t segment) const {
+  const Vector<double> forward = tangent(segment, 0);
+  const Vector<double> m = forward + tangent(before(segment), 1);
+  std::vector<double> offsets;
+  for (const Vector<double>& out : outline(segment, 0))
+    offsets.push_back(-dot(out, m) / dot(forward, m));
+  return offsets;
+}
+
+SweepSection SweepSections::mitre(std::size_t segment) const {
+  const Vector<double> forward = tangent(segment, 0);
+  auto outline = this->outline(segment, 0);
+  const std::vector<double> offsets = mitre_offsets(segment);
+  for (std::size_t k = 0; k < outline.size(); ++k) outline[k] = outline[k] + offsets[k] * forward;
+  return around(derivatives_at(segment, 0), static_cast<double>(segment), outline);
+}
+
+double SweepSections::chord(std::size_t segment) const {
+  const auto from = derivatives_at(segment, 0).place;
+  const auto to = derivatives_at(segment, 1).place;
+  Vector<double> way{};
+  for (std::size_t k = 0; k < 3; ++k) way[k] = approximate(subtract(to[k], from[k], section_bits));
+  return size(way);
+}
+
 SweepMotion SweepSections::motion(std::size_t segment, double t) const {
-  const auto [place, rate, second] = derivatives_at(path_, segment, t);
+  const auto [place, rate, second] = derivatives_at(segment, t);
   const double along = static_cast<double>(segment) + t;
-  const Frame<double> frame = path_.frames(along);
+  const Frame<double> frame = this->frame(segment, t);
   const double speed = size(rate);
   const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
   SweepMotion motion{};

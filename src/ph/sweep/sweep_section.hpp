@@ -13,6 +13,7 @@ struct SweepSection {
   long folds = 0;                      ///< corners on the axis of curvature or beyond it
   /// A bound of what the corners are off, but for what the frames are.
   double rounding = 0;
+  bool is_joint = false;  ///< is it only a facet of a corner away from the one before?
 };
 
 /// How the profile moves there, in doubles.
@@ -35,12 +36,38 @@ class SweepSections {
                 const std::optional<LengthShare>& share);
 
   SweepSection section(std::size_t segment, double t) const;
+  /// At the corner with which the segment begins: in the plane that halves it, where both sides of
+  /// the body end.
+  SweepSection mitre(std::size_t segment) const;
+  /// By how much each corner of the profile is moved along the tangent from the section at the
+  /// start of that segment to the mitre there, and against it from that at the end of the one
+  /// before.
+  std::vector<double> mitre_offsets(std::size_t segment) const;
+  /// The way from the start of a segment to its end.
+  double chord(std::size_t segment) const;
   /// From within the segment, where it is at its end.
   SweepMotion motion(std::size_t segment, double t) const;
   const std::vector<std::array<double, 2>>& corners() const { return corners_; }  ///< in doubles
   std::size_t next(std::size_t corner) const { return form_.profile.next(corner); }
 
  private:
+  /// r, r′ and r″.
+  struct PathDerivatives {
+    Vector<RealBall> place;
+    Vector<double> rate;
+    Vector<double> second;
+  };
+  PathDerivatives derivatives_at(std::size_t segment, double t) const;
+  /// From within the segment.
+  Frame<double> frame(std::size_t segment, double t) const;
+  bool has_corner(std::size_t segment) const;  ///< at its start
+  std::size_t before(std::size_t segment) const;
+  Vector<double> tangent(std::size_t segment, double t) const;
+  /// The corners of the profile there, from the center.
+  std::vector<Vector<double>> outline(std::size_t segment, double t) const;
+  SweepSection around(const PathDerivatives& at, double along,
+                      const std::vector<Vector<double>>& outline) const;
+
   const SweepPath& path_;
   const SweepForm& form_;
   const std::optional<LengthShare>& share_;
@@ -48,6 +75,9 @@ class SweepSections {
   Vector<RealBall> origin_;  ///< 0 where the form has none yet
   std::vector<std::array<double, 2>> corners_;
 };
+
+/// The frame at the end of the path, where that closes at a corner carried through it.
+Frame<double> frame_at_end(const SweepPath& path);
 
 /// A bound of how far the triangles between two sections are from the bilinear patches through
 /// their corners.
