@@ -77,6 +77,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/rational_form.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"

@@ -28,7 +28,7 @@ std::optional<Real> writhe_of(const Path& path) {
 }
 
 std::optional<long> self_linking_of(const Path& path) {
-  if (!path.is_closed()) return std::nullopt;
+  if (!path.is_closed() || !has_continuous_frenet_frame(path)) return std::nullopt;
   return self_linking_number(closed_frame(path), total_torsion(path).value);
 }
 
@@ -42,7 +42,7 @@ void bind_totals(PathClass& path) {
       },                                                                                          \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG type), what)
   PHRAME_TOTAL("length", total_length, "", "∫ ds.");
-  PHRAME_TOTAL("total_curvature", total_curvature, "", "∫ κ ds, without the half turns at cusps.");
+  PHRAME_TOTAL("total_curvature", total_curvature, "", "∫ κ ds, with the angles of corners, without the half turns at cusps.");
   PHRAME_TOTAL("total_torsion", total_torsion, "", "∫ τ ds.");
   PHRAME_TOTAL("bending_energy", bending_energy, " | float", "∫ κ² ds; infinite at most cusps.");
   PHRAME_TOTAL("frenet_energy", frenet_energy, " | float",
@@ -60,7 +60,21 @@ void bind_totals(PathClass& path) {
                 [along = path_of(self).named.path] { return self_linking_of(along); });
           },
           nb::sig("def self_linking_number(self) -> int | None"),
-          "How often a closed path is linked with its copy along the principal normals, else None.")
+          "How often a closed path is linked with its copy along the principal normals, where those "
+          "are continuous; else None.")
+      .def_prop_ro(
+          "corner_angles",
+          [](nb::handle self) {
+            const auto found =
+                without_gil([along = path_of(self).named.path] { return corners(along); });
+            nb::list angles;
+            for (std::size_t k = 0; k < found.size(); ++k)
+              angles.append(to_python(found[k].angle, recipe(imported("phrame._pickle", "element"),
+                                                             self, "corner_angles", k)));
+            return nb::tuple(angles);
+          },
+          nb::sig("def corner_angles(self) -> tuple[" PHRAME_REAL_SIG ", ...]"),
+          "The angles between the tangents at `corners`, in radians.")
       .def_prop_ro(
           "erf_twist",
           [](nb::handle self) {

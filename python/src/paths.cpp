@@ -222,6 +222,16 @@ void bind_path(nb::module_& m, PathClass& path) {
           "is_closed", [](const PathObject& self) { return self.named.path.ends_meet(); },
           "Is the end the start?")
       .def_prop_ro(
+          "corners",
+          [](const PathObject& self) {
+            nb::list list;
+            for (const Corner& corner : corners(self.named.path)) list.append(corner.segment);
+            return nb::tuple(list);
+          },
+          nb::sig("def corners(self) -> tuple[int, ...]"),
+          "The joints t at which the tangent breaks, and 0 where it does at the ends of a closed "
+          "path. Through corners frames are carried by the least rotation.")
+      .def_prop_ro(
           "up",
           [](const PathObject& self) {
             return to_python(without_gil([path = self.named.path] { return up_vector(path); }));

@@ -1,5 +1,8 @@
 """One class for a path of segments of every kind, and one for its angle."""
 
+import math
+import pathlib
+import pickle
 from decimal import Decimal
 from fractions import Fraction
 
@@ -183,3 +186,14 @@ def test_paths_of_several_kinds_are_classified_as_a_whole():
     assert found.normal in ((0, 1, 0), (0, -1, 0))
     with pytest.raises(phrame.DomainError, match="classify path.segments"):
         found.cusps
+
+
+def test_a_path_with_corners():
+    cube = phrame.read(pathlib.Path(__file__).parents[2] / "examples/any/cube-edges.json")
+    assert cube.corners == (1, 2, 3, 4, 5, 0)
+    assert all(abs(float(angle) - math.pi / 2) < 1e-15 for angle in cube.corner_angles)
+    assert pickle.loads(pickle.dumps(cube.corner_angles[2])) == cube.corner_angles[2]
+    assert cube.holonomy == 0 and cube.self_linking_number is None
+    f2 = cube.frames([0.5, 1.5, 2.5])[:, 1]  # along x, y and z: the least rotations are quarter turns
+    assert np.array_equal(f2, [[0, 1, 0], [-1, 0, 0], [-1, 0, 0]])
+    assert CUBIC.corners == () and CUBIC.corner_angles == ()

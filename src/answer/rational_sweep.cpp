@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/end_normal.hpp"
+#include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
@@ -22,6 +23,10 @@ std::vector<RationalFramePiece> twist_frames(const PhPath& path, const RationalS
 }
 
 void require_ends(const PhPath& path, const RationalSweepQuery& query) {
+  if (!corners(path).empty())
+    throw DomainError("sweep: the path has a corner at t = " +
+                      std::to_string(corners(path).front().segment) +
+                      ": a body with mitres is made as a mesh, not with exact surfaces");
   const bool is_closed = path.closing_turn().has_value();
   require_open(query.end_normal, is_closed);
   if (query.twist_degree && !query.end_normal && !is_closed)

@@ -125,7 +125,7 @@ void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place
   if (body.folds > 0)
     note(
         fmt::format("the body folds over itself at {} corners of sections: the profile reaches "
-                    "beyond the center of curvature",
+                    "beyond the center of curvature, or around a corner",
                     body.folds));
 }
 

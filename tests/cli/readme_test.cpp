@@ -65,6 +65,7 @@ TEST_CASE("documents: every command shown prints what is shown") {
   for (const std::string document :
        {"/README.md", "/docs/any-curve.md", "/docs/certificate.md", "/docs/check.md",
         "/docs/classification.md", "/docs/cluster.md", "/docs/compiled.md", "/docs/construct.md",
+        "/docs/corners.md",
         "/docs/curve-files.md", "/docs/integration.md", "/docs/minimal-twist.md", "/docs/motion.md",
         "/docs/near.md", "/docs/splines.md", "/docs/sweep.md", "/docs/totals.md"}) {
     CAPTURE(document);
