@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/any_path.hpp"
@@ -434,4 +435,21 @@ TEST_CASE("path angle: next to a cusp, |H| ≥ 1e-12, two up vectors give the sa
   const Place end{0, Rational(1)};
   CHECK(agree(rotation_minimizing_frame(one, end, start_angle(normal, one)),
               rotation_minimizing_frame(other, end, start_angle(normal, other)), 120));
+}
+
+// Along the edges x, y, z, −x, −y, −z of a cube the tangent's way on the sphere halves it, by
+// symmetry.
+TEST_CASE("path angle: along the edges of a cube a frame comes back exactly") {
+  const Path cube =
+      test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {0, 0, 0}});
+  for (const Vector<Rational>& v : {Vector<Rational>{1, 2, 5}, {1, 1, 1}, {3, -2, 7}})
+    CHECK(PathAngle(cube, v).holonomy()->exact() == Rational(0));
+  CHECK(PathAngle(segment(cube, 0, 5), {1, 2, 5}).holonomy() == std::nullopt);
+}
+
+// Rodrigues' formula in mpmath takes (0, 1, 0) from edge to edge to (0, 1/2, −√3/2).
+TEST_CASE("path angle: the holonomy of a quadrangle along x, y, z and back is -pi/3") {
+  const Path four = test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 0}});
+  for (const Vector<Rational>& v : {Vector<Rational>{1, 2, 5}, {2, -3, 1}, {1, -1, 0}})
+    CHECK(over_pi(PathAngle(four, v).holonomy().value()) == Rational(-1, 3));
 }

@@ -7,6 +7,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 namespace frame_check_test {
@@ -592,6 +593,27 @@ TEST_CASE("frame check: are positions those of the curve?") {
   positions[1].r[2] += Rational(1, 100);
   CHECK_FALSE(are_on_curve(cubic, positions, Rational(1, 1000)));
   CHECK(are_on_curve(cubic, positions, Rational(1, 10)));
+}
+
+TEST_CASE("frame check: at a corner either side passes, by tangent, by f3 or by f2 alone") {
+  const Path path = test::polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 1}});
+  const PathAngle angle(path, {1, 2, 5});
+  const StartAngle start = start_angle(LeastRotation{}, angle);
+  for (const bool has_tangent : {true, false})
+    for (const bool has_third : {true, false}) {
+      std::vector<GivenFrame> frames;
+      for (const Place& at :
+           {Place(0, Rational(0)), Place(0, Rational(1)), Place(1, Rational(0)),
+            Place(1, Rational(1)), Place(2, Rational(0)), Place(2, Rational(1))}) {
+        GivenFrame frame =
+            given(*parameter(at).exact(), rotation_minimizing_frame(angle, at, start));
+        if (!has_tangent) frame.tangent.reset();
+        if (!has_third) frame.f3.reset();
+        frames.push_back(frame);
+      }
+      CHECK(check_frames(angle, frames).passes);
+      CHECK(are_along_curve(path, frames, Rational(1, 1000000)));
+    }
 }
 
 }  // namespace frame_check_test
