@@ -9,20 +9,16 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
+#include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
 namespace {
-
-template <class T>
-void add_rounded(std::vector<double>& row, const Vector<T>& v) {
-  const Vector<double> values = round_to_double(v);
-  row.insert(row.end(), values.begin(), values.end());
-}
 
 const char* name_of(TabulatedScalar kind) {
   switch (kind) {
@@ -34,6 +30,16 @@ const char* name_of(TabulatedScalar kind) {
       return "torsion";
     case TabulatedScalar::frenet_rate:
       return "frenet_rate";
+    case TabulatedScalar::bend_f2:
+      return "k1";
+    case TabulatedScalar::bend_f3:
+      return "k2";
+    case TabulatedScalar::omega_x:
+      return "omega_x";
+    case TabulatedScalar::omega_y:
+      return "omega_y";
+    case TabulatedScalar::omega_z:
+      return "omega_z";
   }
   return "";
 }
@@ -77,11 +83,17 @@ Real Scalar::at(const Place& at) const {
   return at.algebraic ? at.algebraic->square_root(f) : square_root_of(value(f, at));
 }
 
+/// Is it a function of κ and τ alone?
+bool is_of_frenet(TabulatedScalar kind) {
+  return kind == TabulatedScalar::curvature || kind == TabulatedScalar::torsion ||
+         kind == TabulatedScalar::frenet_rate;
+}
+
 /// Those of the columns along this segment, where it is a rational curve.
 std::vector<Scalar> scalars_of(const Segment& segment, const TableColumns& columns) {
   std::vector<Scalar> scalars;
   for (const TabulatedScalar kind : columns.scalars) {
-    if (kind == TabulatedScalar::arc_length) continue;
+    if (!is_of_frenet(kind)) continue;
     if (const Curve* ph = ph_curve(segment))
       scalars.emplace_back(*ph, kind);
     else
@@ -109,7 +121,7 @@ class Rows {
     if (start_.exact) start_ = reduced(*start_.exact);
   }
 
-  std::vector<double> at(const Place& at);
+  TableRow at(const Place& at);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
@@ -118,12 +130,14 @@ class Rows {
  private:
   const Path& path() const { return angle_.path(); }
   const Frame<Real>& erf(const Place& at);
+  const Frame<Real>& rmf(const Place& at);
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
   Frame<Real> of_least_twist(const Place& at);
   Real arc_length(const Place& at) const;
   Real scalar(TabulatedScalar kind, const Place& at);
+  Real turning(TabulatedScalar kind, const Place& at);
   template <class Add>
-  void add_where_defined(std::vector<double>& row, std::size_t count, Add add);
+  void add_where_defined(TableRow& row, std::size_t count, Add add);
 
   const TableColumns& columns_;
   OrientationColumns orientations_;
@@ -133,24 +147,26 @@ class Rows {
   std::vector<std::optional<std::vector<Scalar>>> scalars_;  ///< along the segments
   std::optional<RoundedFrames> compiled_;
   std::optional<Frame<Real>> erf_;  ///< of this row, once it is found
+  std::optional<Frame<Real>> rmf_;  ///< likewise
   std::string reason_;
 };
 
 /// `count` numbers, or empty cells where they are undefined and may be empty.
 template <class Add>
-void Rows::add_where_defined(std::vector<double>& row, std::size_t count, Add add) {
-  const std::size_t before = row.size();
+void Rows::add_where_defined(TableRow& row, std::size_t count, Add add) {
+  const std::size_t before = row.values.size();
   try {
     add();
   } catch (const DomainError& error) {
     if (!columns_.may_be_empty) throw;
     row.resize(before);
-    row.resize(before + count, std::numeric_limits<double>::quiet_NaN());
+    row.add_empty(count);
     if (reason_.empty()) reason_ = error.what();
   }
 }
 
 void Rows::expect(const std::vector<Place>& points) {
+  if (columns_.digits > 0) return;
   if (!goes_on(path()) || angle_.reference() != Reference::euler_rodrigues || !start_.exact) return;
   const Curve& curve = *ph_curve(path().segments().front());
   const std::size_t many = 1000 + 20 * static_cast<std::size_t>(preimage_degree(curve));
@@ -174,6 +190,14 @@ const Frame<Real>& Rows::erf(const Place& at) {
   return *erf_;
 }
 
+const Frame<Real>& Rows::rmf(const Place& at) {
+  if (!rmf_)
+    rmf_ = angle_.reference() == Reference::euler_rodrigues
+               ? rotation_minimizing_frame(angle_, at, start_, erf(at))
+               : rotation_minimizing_frame(angle_, at, start_);
+  return *rmf_;
+}
+
 Frame<Real> Rows::of_least_twist(const Place& at) {
   const MinimalTwist& twist = columns_.exact_mtf.value();
   return angle_.reference() == Reference::euler_rodrigues ? turned(erf(at), twist.reduced_value(at))
@@ -183,9 +207,7 @@ Frame<Real> Rows::of_least_twist(const Place& at) {
 Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
   switch (kind) {
     case TabulatedFrame::rmf:
-      if (angle_.reference() == Reference::euler_rodrigues)
-        return rotation_minimizing_frame(angle_, at, start_, erf(at));
-      return rotation_minimizing_frame(angle_, at, start_);
+      return rmf(at);
     case TabulatedFrame::euler_rodrigues:
       return erf(at);
     case TabulatedFrame::frenet:
@@ -209,8 +231,20 @@ Real Rows::arc_length(const Place& at) const {
       "s: {} is outside [0, 1], where the sign of the multiplier is known", text_of(at).value()));
 }
 
+/// What the rotation-minimizing frame turns by.
+Real Rows::turning(TabulatedScalar kind, const Place& at) {
+  const Vector<Real> bend = curvature_vector(path(), at);
+  if (kind == TabulatedScalar::bend_f2) return dot(bend, rmf(at).e2);
+  if (kind == TabulatedScalar::bend_f3) return dot(bend, rmf(at).e3);
+  const Vector<Real> omega = cross(tangent(path(), at), bend);
+  return kind == TabulatedScalar::omega_x   ? omega[0]
+         : kind == TabulatedScalar::omega_y ? omega[1]
+                                            : omega[2];
+}
+
 Real Rows::scalar(TabulatedScalar kind, const Place& at) {
   if (kind == TabulatedScalar::arc_length) return arc_length(at);
+  if (!is_of_frenet(kind)) return turning(kind, at);
   const Segment& segment = path().segments()[at.segment];
   if (std::holds_alternative<ExpressionCurve>(segment)) {
     if (kind == TabulatedScalar::curvature) return curvature(path(), at);
@@ -226,27 +260,29 @@ Real Rows::scalar(TabulatedScalar kind, const Place& at) {
       ->at(at);
 }
 
-std::vector<double> Rows::at(const Place& at) {
+TableRow Rows::at(const Place& at) {
   reason_.clear();
   erf_.reset();
+  rmf_.reset();
   std::optional<Frame<double>> rmf;
   if (compiled_ && at.t.exact()) rmf = compiled_->at(*at.t.exact());
-  std::vector<double> row{round_to_double(parameter(at))};
-  add_rounded(row, position(path(), at));
+  TableRow row;
+  row.digits = columns_.digits;
+  row.add(parameter(at));
+  row.add(position(path(), at));
   if (rmf)
-    row.insert(row.end(), rmf->e1.begin(), rmf->e1.end());
+    row.values.insert(row.values.end(), rmf->e1.begin(), rmf->e1.end());
   else
-    add_rounded(
-        row, ph_curve(path().segments()[at.segment]) != nullptr ? erf(at).e1 : tangent(path(), at));
+    row.add(ph_curve(path().segments()[at.segment]) != nullptr ? erf(at).e1 : tangent(path(), at));
   for (const TabulatedFrame kind : columns_.frames) {
     if (rmf && kind == TabulatedFrame::rmf)
-      orientations_.add(row, *rmf);
+      orientations_.add(row.values, *rmf);
     else
       add_where_defined(row, orientations_.width(),
                         [&] { orientations_.add(row, kind, frame(kind, at)); });
   }
   for (const TabulatedScalar kind : columns_.scalars)
-    add_where_defined(row, 1, [&] { row.push_back(round_to_double(scalar(kind, at))); });
+    add_where_defined(row, 1, [&] { row.add(scalar(kind, at)); });
   return row;
 }
 
@@ -268,6 +304,25 @@ std::vector<std::string> names_of(const TableColumns& columns) {
   for (const TabulatedFrame frame : columns.frames) add_names(names, frame, columns);
   for (const TabulatedScalar kind : columns.scalars) names.emplace_back(name_of(kind));
   return names;
+}
+
+void TableRow::add(const Real& x) {
+  values.push_back(round_to_double(x));
+  if (digits > 0) decimals.push_back(rounded_or_zero(x, "a number", digits).value);
+}
+
+void TableRow::add(const Vector<Real>& v) {
+  for (const Real& x : v) add(x);
+}
+
+void TableRow::add_empty(std::size_t count) {
+  values.resize(values.size() + count, std::numeric_limits<double>::quiet_NaN());
+  if (digits > 0) decimals.resize(values.size());
+}
+
+void TableRow::resize(std::size_t count) {
+  values.resize(count);
+  if (digits > 0) decimals.resize(count);
 }
 
 void add_row(FrameTable& table, std::vector<double> row,
@@ -292,7 +347,9 @@ FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
   Stage stage("rows", at.size());
   for (const Place& point : at) {
     stage.advance();
-    add_row(table, rows.at(point),
+    TableRow row = rows.at(point);
+    if (columns.digits > 0) table.decimals.push_back(std::move(row.decimals));
+    add_row(table, std::move(row.values),
             [&] { return text_of(point).value_or(fmt::format("row {}", table.rows.size())); });
     if (rows.reason().empty()) continue;
     if (++table.incomplete_rows == 1) table.first_reason = rows.reason();

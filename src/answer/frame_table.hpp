@@ -24,6 +24,12 @@ enum class TabulatedScalar {
   curvature,    ///< κ ≥ 0, the rate at which a rotation-minimizing frame turns
   torsion,      ///< τ
   frenet_rate,  ///< √(κ² + τ²), the rate at which the Frenet frame turns
+  bend_f2,  ///< k₁ of Bishop, with e₁′ = k₁ f₂ + k₂ f₃, f₂′ = −k₁ e₁ by arc length
+  bend_f3,  ///< k₂, with f₃′ = −k₂ e₁
+  // The angular velocity ω = e₁ × e₁′ of the rotation-minimizing frame per arc length, across e₁:
+  omega_x,  ///< in x
+  omega_y,  ///< in y
+  omega_z,  ///< in z
 };
 
 /// What a table holds beside t, r and e₁.
@@ -48,19 +54,23 @@ struct TableColumns {
   /// Are the quaternions those of a camera that looks along e₁, with f₂ up? They turn i, j, k into
   /// f₃, f₂, −e₁ then.
   bool are_cameras = false;
+  /// With how many digits the table has all numbers as decimals, too; 0 for none.
+  long digits = 0;
 };
 
 /// Numbers with a name for each column; all of them correctly rounded. NaN is an empty cell.
 struct FrameTable {
   std::vector<std::string> columns;       ///< their names: "t", "x", "y", "z", "e1x", …
   std::vector<std::vector<double>> rows;  ///< as long as columns
-  std::string format = "frames/1";        ///< as JSON names it
-  std::size_t incomplete_rows = 0;        ///< so many have empty cells
-  std::string first_reason = {};          ///< why the first of these has
-  std::optional<Nearness> near = {};      ///< of the path, where it stands for what is no PH path
+  std::string format = "frames/1";    ///< as JSON names it
+  std::size_t incomplete_rows = 0;    ///< so many have empty cells
+  std::string first_reason = {};      ///< why the first of these has
+  std::optional<Nearness> near = {};  ///< of the path, where it stands for what is no PH path
   /// Where a rotation-minimizing frame that is in it starts.
   std::optional<FrameStart> start = {};
   std::optional<Vector<Rational>> up = {};  ///< v of the frame up that is in it, or of the start
+  /// The same numbers as decimals, where they are asked for: "" is an empty cell.
+  std::vector<std::vector<std::string>> decimals = {};
 };
 
 /// t, r, e₁, the frames and the scalars asked for, at each place of a path of any kind: correctly
@@ -89,6 +99,18 @@ FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& fr
 bool has_frame(const TableColumns& columns, TabulatedFrame frame);
 /// What the columns are called: "t", "x", "y", "z", "e1x", …
 std::vector<std::string> names_of(const TableColumns& columns);
+
+/// One row while it grows.
+struct TableRow {
+  std::vector<double> values = {};  ///< rounded
+  long digits = 0;                  ///< of the decimals; 0 for none
+  std::vector<std::string> decimals = {};
+
+  void add(const Real& x);  ///< appends it, correctly rounded
+  void add(const Vector<Real>& v);
+  void add_empty(std::size_t count);  ///< so many empty cells
+  void resize(std::size_t count);     ///< leaves out what is behind
+};
 
 /// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
 /// of what the row is.

@@ -58,44 +58,49 @@ std::size_t OrientationColumns::width() const {
   return std::size_t{6} + (have_quaternions_ ? 4 : 0) + (have_matrices_ ? 16 : 0);
 }
 
-void OrientationColumns::add_quaternion(std::vector<double>& row, TabulatedFrame kind,
+void OrientationColumns::add_quaternion(TableRow& row, TabulatedFrame kind,
                                         const Frame<Real>& frame) {
   const auto [u, v, p, q] = quaternion_of(are_cameras_ ? of_camera(frame) : frame);
-  std::array<double, 4> rounded{round_to_double(v), round_to_double(p), round_to_double(q),
-                                round_to_double(u)};
+  std::array<Real, 4> exact{v, p, q, u};
+  const auto rounded = [&] {
+    return std::array<double, 4>{round_to_double(exact[0]), round_to_double(exact[1]),
+                                 round_to_double(exact[2]), round_to_double(exact[3])};
+  };
   const auto last = last_.find(kind);
-  if (is_to_be_negated(rounded, last == last_.end() ? std::nullopt : std::optional(last->second)))
-    for (double& x : rounded) x = 0 - x;  // 0 stays 0
-  last_[kind] = rounded;
-  row.insert(row.end(), rounded.begin(), rounded.end());
+  if (is_to_be_negated(rounded(), last == last_.end() ? std::nullopt : std::optional(last->second)))
+    for (Real& x : exact) x = -x;
+  last_[kind] = rounded();
+  for (const Real& x : exact) row.add(x);
 }
 
 namespace {
 
-void add_vectors(std::vector<double>& row, const Frame<double>& frame) {
-  row.insert(row.end(), frame.e2.begin(), frame.e2.end());
-  row.insert(row.end(), frame.e3.begin(), frame.e3.end());
-}
-
-/// After t, r, e₁ at the beginning of the row.
-void add_matrix(std::vector<double>& row, const Vector<double>& e2, const Vector<double>& e3) {
-  for (std::size_t k = 0; k < 3; ++k) row.insert(row.end(), {row[4 + k], e2[k], e3[k], row[1 + k]});
-  row.insert(row.end(), {0, 0, 0, 1});
+/// After t, r, e₁ at the beginning of the row, and e₂, e₃ at these places of it.
+template <class Cell>
+void add_matrix(std::vector<Cell>& row, std::size_t e2, std::size_t e3, const Cell& zero,
+                const Cell& one) {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const std::size_t from : {4 + k, e2 + k, e3 + k, 1 + k}) row.push_back(Cell(row[from]));
+  row.insert(row.end(), {zero, zero, zero, one});
 }
 
 }  // namespace
 
-void OrientationColumns::add(std::vector<double>& row, TabulatedFrame kind,
-                             const Frame<Real>& frame) {
-  const Frame<double> rounded{{}, round_to_double(frame.e2), round_to_double(frame.e3)};
-  add_vectors(row, rounded);
+void OrientationColumns::add(TableRow& row, TabulatedFrame kind, const Frame<Real>& frame) {
+  const std::size_t second = row.values.size();
+  row.add(frame.e2);
+  row.add(frame.e3);
   if (have_quaternions_) add_quaternion(row, kind, frame);
-  if (have_matrices_) add_matrix(row, rounded.e2, rounded.e3);
+  if (!have_matrices_) return;
+  add_matrix<double>(row.values, second, second + 3, 0, 1);
+  if (row.digits > 0) add_matrix<std::string>(row.decimals, second, second + 3, "0", "1");
 }
 
 void OrientationColumns::add(std::vector<double>& row, const Frame<double>& frame) const {
-  add_vectors(row, frame);
-  if (have_matrices_) add_matrix(row, frame.e2, frame.e3);
+  const std::size_t second = row.size();
+  row.insert(row.end(), frame.e2.begin(), frame.e2.end());
+  row.insert(row.end(), frame.e3.begin(), frame.e3.end());
+  if (have_matrices_) add_matrix<double>(row, second, second + 3, 0, 1);
 }
 
 void add_names(std::vector<std::string>& names, TabulatedFrame kind, const TableColumns& columns) {

@@ -18,12 +18,12 @@ class OrientationColumns {
   /// So many numbers.
   std::size_t width() const;
   /// Appends them to a row that begins with t, r, e₁.
-  void add(std::vector<double>& row, TabulatedFrame kind, const Frame<Real>& frame);
+  void add(TableRow& row, TabulatedFrame kind, const Frame<Real>& frame);
   /// The same of correctly rounded vectors. Precondition: there are no quaternions.
   void add(std::vector<double>& row, const Frame<double>& frame) const;
 
  private:
-  void add_quaternion(std::vector<double>& row, TabulatedFrame kind, const Frame<Real>& frame);
+  void add_quaternion(TableRow& row, TabulatedFrame kind, const Frame<Real>& frame);
 
   bool have_quaternions_;
   bool have_matrices_;

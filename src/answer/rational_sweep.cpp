@@ -24,9 +24,9 @@ std::vector<RationalFramePiece> twist_frames(const PhPath& path, const RationalS
 
 void require_ends(const PhPath& path, const RationalSweepQuery& query) {
   if (!corners(path).empty())
-    throw DomainError("sweep: the path has a corner at t = " +
-                      std::to_string(corners(path).front().segment) +
-                      ": a body with mitres is made as a mesh, not with exact surfaces");
+    throw DomainError(
+        "sweep: the path has a corner at t = " + std::to_string(corners(path).front().segment) +
+        ": a body with mitres is made as a mesh, not with exact surfaces");
   const bool is_closed = path.closing_turn().has_value();
   require_open(query.end_normal, is_closed);
   if (query.twist_degree && !query.end_normal && !is_closed)

@@ -23,6 +23,7 @@ struct FramesOptions {
   std::vector<std::string> scalars;
   std::string by = "t";
   std::string side = "right";
+  long digits = 0;  ///< 0 for doubles
   std::string format = "csv";
   UpOption up;
   bool skips_undefined = false;
@@ -97,12 +98,17 @@ const Names<TabulatedFrame>& frame_names() {
   return names;
 }
 
-/// Those without a scalar are of the frames.
-const Names<std::optional<TabulatedScalar>>& column_names() {
-  static const Names<std::optional<TabulatedScalar>> names{
-      {"s", TabulatedScalar::arc_length},    {"curvature", TabulatedScalar::curvature},
-      {"torsion", TabulatedScalar::torsion}, {"frenet_rate", TabulatedScalar::frenet_rate},
-      {"quaternion", std::nullopt},          {"matrix", std::nullopt}};
+/// Those without scalars are of the frames.
+const Names<std::vector<TabulatedScalar>>& column_names() {
+  using enum TabulatedScalar;
+  static const Names<std::vector<TabulatedScalar>> names{{"s", {arc_length}},
+                                                         {"curvature", {curvature}},
+                                                         {"torsion", {torsion}},
+                                                         {"frenet_rate", {frenet_rate}},
+                                                         {"bishop", {bend_f2, bend_f3}},
+                                                         {"omega", {omega_x, omega_y, omega_z}},
+                                                         {"quaternion", {}},
+                                                         {"matrix", {}}};
   return names;
 }
 
@@ -111,8 +117,8 @@ TableColumns columns(const FramesOptions& options) {
   for (const std::string& name : split(options.frames))
     columns.frames.push_back(choose("--frame", name, frame_names()));
   for (const std::string& name : split(options.scalars)) {
-    const auto scalar = choose("--columns", name, column_names());
-    if (scalar) columns.scalars.push_back(*scalar);
+    for (const TabulatedScalar scalar : choose("--columns", name, column_names()))
+      columns.scalars.push_back(scalar);
     columns.have_quaternions = columns.have_quaternions || name == "quaternion";
     columns.have_matrices = columns.have_matrices || name == "matrix";
   }
@@ -220,6 +226,7 @@ void run(const FramesOptions& options) {
   if (format == nullptr) return run_camera(options);
   TableColumns chosen = columns(options);
   chosen.may_be_empty = options.skips_undefined;
+  chosen.digits = options.digits;
   const FrameTable made = read_and_tabulate(options, chosen).table;
   write_output(options.curve.output, format(made));
   if (made.incomplete_rows > 0)
@@ -242,8 +249,11 @@ void add_frames(Program& program) {
       "twist: rational, or at a constant rate)");
   command.add_choices(
       "--columns", options->scalars, keys(column_names()),
-      "any of s (arc length), curvature, torsion and frenet_rate; and of each frame\n"
+      "any of s (arc length), curvature, torsion, frenet_rate, bishop (k1, k2 of the\n"
+      "RMF) and omega (its angular velocity per length); and of each frame\n"
       "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
+  command.add_number("--digits", options->digits, {1, 100'000},
+                     "decimals with N digits, correctly rounded, instead of doubles");
   command.add_choice("--by", options->by, {"t", "arc-length"},
                      "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
   command.add_choice("--side", options->side, {"right", "left", "both"},
@@ -272,10 +282,12 @@ void add_frames(Program& program) {
                    "leave cells empty where the Frenet frame, a curvature or the torsion is\n"
                    "undefined (json: null, npy: NaN), and say so on stderr");
   command.only_with({"--skip-undefined"}, {"--frame frenet", "--frame erf", "--columns"});
-  command.not_with({"--columns", "--skip-undefined"}, camera_formats());
+  command.not_with({"--columns", "--skip-undefined", "--digits"}, camera_formats());
+  command.not_with({"--digits"}, {"--format npy"});
   command.set_notes(
       "--at or --samples is needed: what the rows of the table are.\n"
-      "All numbers are correctly rounded doubles. e1 is A i A*/|A|^2, the unit tangent\n"
+      "All numbers are correctly rounded doubles, or decimals with --digits. e1 is A i A*/|A|^2, "
+      "the unit tangent\n"
       "where the multiplier is positive and its opposite where it is negative, as is n then.\n"
       "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"

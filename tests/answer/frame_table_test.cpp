@@ -431,3 +431,59 @@ TEST_CASE("frame table: of an arc length behind an irrational change of sign") {
   CHECK(row[13] == doctest::Approx(0.6).epsilon(1e-15));
   CHECK(row[14] == 1.113059843372229309740904796093203136368);
 }
+
+// The same curve at t = 1 as above: decimals of cos 1 and sin 1, to 30 digits.
+TEST_CASE(
+    "frame table: decimals have the digits that are asked for, and are empty where doubles are") {
+  TableColumns columns{{Kind::rmf, Kind::frenet}};
+  columns.start = Angle();
+  columns.digits = 30;
+  columns.may_be_empty = true;
+  const FrameTable table =
+      frame_table(test::rational_angle_curve().curve, columns, {RealAlgebraic(1)});
+  REQUIRE(table.decimals.size() == 1);
+  CHECK(table.decimals[0].size() == table.columns.size());
+  CHECK(table.decimals[0][1] == "-0.800000000000000000000000000000");
+  CHECK(table.decimals[0][2] == "1.33333333333333333333333333333");
+  CHECK(table.decimals[0][7] == "-0.841470984807896506652502321630");
+  CHECK(table.decimals[0][9] == "0.540302305868139717400936607443");
+  const FrameTable inflection = frame_table(inflected(), columns, {RealAlgebraic(0)});
+  CHECK(inflection.decimals[0].back().empty());
+  CHECK(std::isnan(inflection.rows[0].back()));
+  CHECK(to_json(inflection).find("null]]") != std::string::npos);
+  CHECK(to_csv(inflection).ends_with(",,,,,,\n"));
+}
+
+// Around a circle of radius 2 the frame that starts with f₂ inwards keeps it so.
+TEST_CASE("frame table: bends and angular velocity are those by which the frame turns") {
+  TableColumns columns{{Kind::rmf}};
+  columns.scalars = {TabulatedScalar::bend_f2, TabulatedScalar::bend_f3, TabulatedScalar::omega_x,
+                     TabulatedScalar::omega_y, TabulatedScalar::omega_z};
+  const Path circle(Segment(bezier_curve({{2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {1, 1, 2})));
+  const std::vector<Place> at{{0, Rational(0)}, {0, Rational(1, 3)}};
+  for (const auto& row : frame_table(PathAngle(circle), columns, at).rows) {
+    const std::vector<double> last(row.end() - 5, row.end());
+    CHECK(last == Row{0.5, 0, 0, 0, 0.5});
+  }
+}
+
+TEST_CASE("frame table: law: f2 turns by -k1 and f3 by -k2 of the arc length, against e1") {
+  TableColumns columns{{Kind::rmf}};
+  columns.scalars = {TabulatedScalar::bend_f2, TabulatedScalar::bend_f3, TabulatedScalar::curvature,
+                     TabulatedScalar::arc_length};
+  const Rational t(1, 3), h(1, 100000);
+  for (const Path& path : {Path(test::quintic), by_positions(test::quintic)}) {
+    const auto rows =
+        frame_table(PathAngle(path), columns, {{0, Rational(t - h)}, {0, t}, {0, Rational(t + h)}})
+            .rows;
+    const Row& row = rows[1];
+    const double step = rows[2].back() - rows[0].back();
+    for (const std::size_t first : {std::size_t{7}, std::size_t{10}}) {
+      double along = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        along += (rows[2][first + k] - rows[0][first + k]) / step * row[4 + k];
+      CHECK(std::abs(along + row[first == 7 ? 13 : 14]) < 1e-7);
+    }
+    CHECK(std::abs(std::hypot(row[13], row[14]) - row[15]) < 1e-15);
+  }
+}

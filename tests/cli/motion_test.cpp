@@ -81,7 +81,8 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
                 "--by: \"length\" is not one of t, arc-length");
   check_failure(
       here.run("frames quintic.json --at 0 --columns speed"), 2,
-      "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, quaternion, matrix");
+      "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
+      "omega, quaternion, matrix");
   check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,

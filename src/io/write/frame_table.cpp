@@ -14,6 +14,8 @@ namespace phrame {
 
 std::string to_csv(const FrameTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  for (const auto& row : table.decimals) text += fmt::format("{}\n", fmt::join(row, ","));
+  if (!table.decimals.empty()) return text;
   for (const auto& row : table.rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       if (k > 0) text += ',';
@@ -24,9 +26,25 @@ std::string to_csv(const FrameTable& table) {
   return text;
 }
 
+namespace {
+
+JsonOutput rows_of(const std::vector<std::vector<std::string>>& decimals) {
+  JsonOutput rows = JsonOutput::array();
+  for (const auto& row : decimals) {
+    JsonOutput cells = JsonOutput::array();
+    for (const std::string& cell : row)
+      cells.push_back(cell.empty() ? JsonOutput() : JsonOutput(cell));
+    rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+}  // namespace
+
 std::string to_json(const FrameTable& table) {
   // NaN is written null.
   JsonOutput json = {{"phrame", table.format}, {"columns", table.columns}, {"rows", table.rows}};
+  if (!table.decimals.empty()) json["rows"] = rows_of(table.decimals);
   if (table.start) {
     if (const auto* angle = std::get_if<Angle>(&*table.start)) json["theta0"] = to_string(*angle);
     add_start(json, *table.start);

@@ -161,6 +161,32 @@ Real curvature(const Path& path, const Place& at) {
                      path.segments()[at.segment]);
 }
 
+namespace {
+
+/// |r′|/|H|, which for formulas is by their parameter.
+Real speed_over_direction(const RationalCurve& curve, const Place& at) {
+  const Real p = value(curve.multiplier(), at);
+  if (sign_of(p) == 0) throw DomainError("curvature: it is infinite or undefined at a cusp");
+  const Real w = value(curve.weight(), at);
+  return quotient_of(sign_of(p) < 0 ? -p : p, w * w);
+}
+Real speed_over_direction(const ExpressionCurve&, const Place&) { return Rational(1); }
+
+}  // namespace
+
+// d(H/|H|)/dt = (H × H′) × H/|H|³ = (σH′ − (H·H′)H)/|H|³, and ds/dt = |H| times that ratio.
+Vector<Real> curvature_vector(const Path& path, const Place& at) {
+  const Vector<Real> H = direction(path, at);
+  const Vector<Real> slope = direction_slope(path, at);
+  const Real sigma = dot(H, H);
+  const Real ratio = visit_curve([&](const auto& curve) { return speed_over_direction(curve, at); },
+                                 path.segments()[at.segment]);
+  const Real below = sigma * sigma * ratio;
+  const Vector<Real> across = cross(cross(H, slope), H);
+  return {quotient_of(across[0], below), quotient_of(across[1], below),
+          quotient_of(across[2], below)};
+}
+
 Real torsion(const Path& path, const Place& at) {
   return visit_curve([&](const auto& curve) { return torsion_of(curve, at.t); },
                      path.segments()[at.segment]);

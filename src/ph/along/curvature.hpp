@@ -9,6 +9,8 @@ namespace phrame {
 
 /// κ = √ρ·W²/(|p|·σ^{3/2}) ≥ 0 there. Throws DomainError where it is infinite, as at most cusps.
 Real curvature(const Path& path, const Place& at);
+/// de₁/ds = κn there, rational where t and the curve are. Throws DomainError at a cusp.
+Vector<Real> curvature_vector(const Path& path, const Place& at);
 /// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t and the curve are. Throws DomainError where
 /// it is infinite and on a straight line, where it is undefined.
 Real torsion(const Path& path, const Place& at);
