@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/better_reading.hpp"
+#include "phrame/io/frame_parameters.hpp"
 #include "phrame/io/write/check.hpp"
 
 namespace phrame::cli {
@@ -41,7 +43,29 @@ FrameReading reading(const Command& command, const CheckOptions& options) {
                                             {"-z", {2, true}}});
   reading.is_inverse = options.is_inverse;
   reading.names = split(options.header);
+  reading.skips_invalid = options.curve.reading.skips_invalid;
   return reading;
+}
+
+/// Do they need other parameters: have they none, or some that the curve does not have, as times?
+bool lacks_parameters(const GivenTable& table, const Path& path) {
+  if (!table.has_parameters) return true;
+  if (goes_on(path) || table.positions.size() != table.frames.size()) return false;
+  return std::ranges::any_of(
+      table.frames, [&](const GivenFrame& frame) { return frame.t < 0 || frame.t > path.end(); });
+}
+
+/// The frames, on the curve; `reading` gets their parameters where the table has others.
+GivenTable read_on(const Path& path, const std::string& bytes, const std::string& file,
+                   FrameReading& reading) {
+  GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
+  for (const std::string& text : table.notes) note(fmt::format("{}: {}", file, text));
+  if (!lacks_parameters(table, path)) return table;
+  FrameParameters found =
+      at_place(file, ":", [&] { return frame_parameters(path, table.positions); });
+  note(fmt::format("{}: t is taken from the positions: {}", file, found.what));
+  reading.parameters = std::move(found.t);
+  return read_frames(bytes, reading);
 }
 
 /// Throws InputError where the frame that is compared with agrees with all there is.
@@ -58,7 +82,7 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
 void run(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  const FrameReading reading = cli::reading(command, options);
+  FrameReading reading = cli::reading(command, options);
   FrameCheckOptions measure;
   measure.tolerance = parse_option("--tol", options.tolerance);
   if (measure.tolerance < 0)
@@ -72,10 +96,12 @@ void run(const Command& command, const CheckOptions& options) {
   options.start.check(named.path, measure.up);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
-  const GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
-  if (!table.has_quaternions)
+  const GivenTable table = read_on(named.path, bytes, file, reading);
+  if (!table.has_quaternions && !table.has_matrices)
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
+  if (table.has_matrices)
+    command.refuse({"--quaternion"}, "is for quaternions; the table has matrices");
   require_enough(table.frames, measure, file);
   const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
   TableReading shown{table.columns, table.skipped};
@@ -91,6 +117,7 @@ void add_check(Program& program) {
   Command& command = program.add("check", "how far somebody's frames are from the exact one");
   const auto options = std::make_shared<CheckOptions>();
   options->curve.add_to(command);
+  options->curve.reading.skips_where_possible = true;  // the frames have rows, too
   command.add_argument("FRAMES", options->frames,
                        "a table of frames (text or .npy), \"-\" for standard input");
   command.add_option("--tol", "BOUND", options->tolerance,
@@ -103,10 +130,10 @@ void add_check(Program& program) {
                      "of quaternions: the order of the columns, wxyz or xyzw (default: as they\n"
                      "are named, else wxyz)");
   command.add_choice("--tangent-axis", options->tangent_axis, {"x", "y", "z", "-x", "-y", "-z"},
-                     "of quaternions: the axis of the body along the tangent, x (default), y or\n"
-                     "z; =-x, =-y or =-z for the opposite");
+                     "of quaternions and matrices: the axis of the body along the tangent, x\n"
+                     "(default), y or z; =-x, =-y or =-z for the opposite");
   command.add_flag("--inverse", options->is_inverse,
-                   "of quaternions: they turn the world to the body");
+                   "of quaternions and matrices: they turn the world to the body");
   command.add_list("--header", "NAME,...", options->header,
                    "the names of the columns of a table without them");
   command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
@@ -115,7 +142,9 @@ void add_check(Program& program) {
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"
       "5: t, q; 7: t, f2, f3; 8: t, position, q; 10: t, e1, f2, f3; 13 or more: t, position, e1,\n"
-      "f2, f3. Separators are commas, semicolons, tabs or blanks.\n"
+      "f2, f3; 12 or 16: a 3 x 4 or 4 x 4 matrix. Frames with positions, but without t, are "
+      "placed\n"
+      "on the curve by these. Separators are commas, semicolons, tabs or blanks.\n"
       "Exit status 0: within the tolerance, 1: not.\n"
       "Examples:\n"
       "  phrame check curve.json frames.csv --tol 1e-9\n"

@@ -20,18 +20,30 @@
 namespace phrame::cli {
 namespace {
 
-template <class T>
-T read_by(T (*read)(std::string_view, const CurveLimits&), const CurveOptions& options) {
+/// What is read by `read(text, options)` of the file.
+template <class Read>
+auto read_by(Read read, const CurveOptions& options) {
   const std::string text = read_file(options.path);
-  return at_place(name_of_file(options.path), ":", [&] { return read(text, options.limits); });
+  return at_place(name_of_file(options.path), ":", [&] { return read(text, options); });
+}
+
+NamedPath read_any(std::string_view text, const CurveOptions& options) {
+  return phrame::read_any_path(text, options.limits, options.reading);
+}
+
+NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
+  return phrame::read_curve(text, options.limits);
 }
 
 /// Where it is not in a file: that of an exchange; else null.
-const NamedPath* given_path(const std::string& file) {
+const NamedPath* given_path(const std::string& file, const FileReading& reading) {
   const Exchange* here = Exchange::current();
   if (here == nullptr) return nullptr;
   const auto found = here->paths.find(file);
-  return found == here->paths.end() ? nullptr : &found->second;
+  if (found == here->paths.end()) return nullptr;
+  reading.refuse_skipping("a curve that was read before");
+  reading.refuse_picking("a curve that was read before");
+  return &found->second;
 }
 
 NamedPhPath ph_path_of(const NamedPath& named) {
@@ -41,15 +53,16 @@ NamedPhPath ph_path_of(const NamedPath& named) {
 
 /// A PH path of a file in any format. What is said of a file in another one than curve/1 and
 /// spline/1 that is read as no PH path is that it is none; of all else, why it is not read.
-NamedPhPath read_ph_path(std::string_view text, const CurveLimits& limits) {
+NamedPhPath read_ph_path(std::string_view text, const CurveOptions& options) {
+  if (!options.reading.is_plain()) return ph_path_of(read_any(text, options));
   try {
-    return phrame::read_path(text, limits);
+    return phrame::read_path(text, options.limits);
   } catch (const InputError& error) {
     if (error.place() != "/phrame" && error.place() != "1:1") throw;
     const std::exception_ptr first = std::current_exception();
     std::optional<NamedPath> other;
     try {
-      other = phrame::read_any_path(text, limits);
+      other = read_any(text, options);
     } catch (const InputError&) {
       std::rethrow_exception(first);
     }
@@ -114,6 +127,12 @@ void add_near(Command& command, std::optional<std::string>& near) {
                      "one that is at most EPS away");
 }
 
+void add_skip_invalid(Command& command, FileReading& reading) {
+  command.add_flag("--skip-invalid", reading.skips_invalid,
+                   "of tables, leave out rows that miss a number and points that are those\n"
+                   "before them");
+}
+
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {
   if (!near) return std::nullopt;
   Rational epsilon = parse_option("--near", *near);
@@ -126,6 +145,9 @@ void CurveOptions::add_to(Command& command) {
   add_near(command, near);
   command.add_option("--max-corner", "ANGLE", max_corner,
                      "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
+  add_skip_invalid(command, reading);
+  command.add_option("--pick", "NAME", reading.pick,
+                     "of a file with several curves, the one of this name");
   command.add_output(output);
   add_max_degree(command, limits);
   limits.near_option = "--near";
@@ -133,8 +155,9 @@ void CurveOptions::add_to(Command& command) {
 
 NamedCurve CurveOptions::read_curve() const {
   // As a path it has e₁ = r′/|r′| at the start.
-  const NamedPhPath named =
-      near || given_path(path) ? read_path() : NamedPhPath(read_by(phrame::read_curve, *this));
+  const NamedPhPath named = near || given_path(path, reading) || !reading.is_plain()
+                                ? read_path()
+                                : NamedPhPath(read_by(read_one_curve, *this));
   if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
   return {named.name, named.path.segments().front(), named.near};
@@ -142,9 +165,11 @@ NamedCurve CurveOptions::read_curve() const {
 
 NamedPhPath CurveOptions::read_path() const {
   const auto within = epsilon();
-  if (const NamedPath* named = given_path(path))
+  if (const NamedPath* named = given_path(path, reading))
     return at_place(path, ":", [&] { return ph_path_of(*named); });
   if (!within) return read_by(read_ph_path, *this);
+  reading.refuse_skipping("read with --near");
+  reading.refuse_picking("read with --near");
   const std::string text = read_file(path);
   const std::string file = name_of_file(path);
   auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
@@ -203,8 +228,8 @@ NamedPath CurveOptions::read_any_path() const {
 
 NamedPath CurveOptions::read_near_or_any() const {
   if (near) return read_path();
-  if (const NamedPath* named = given_path(path)) return *named;
-  NamedPath read = read_by(phrame::read_any_path, *this);
+  if (const NamedPath* named = given_path(path, reading)) return *named;
+  NamedPath read = read_by(read_any, *this);
   for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (read.path.is_ph()) return read;
   if (const auto near_one = suggestion_of(read.path))

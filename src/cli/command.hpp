@@ -26,13 +26,17 @@ void add_near(Command& command, std::optional<std::string>& near);
 /// What it says, where it is given. Throws InputError where that is not > 0.
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near);
 
+/// --skip-invalid
+void add_skip_invalid(Command& command, FileReading& reading);
+
 /// What the commands that read a curve or a spline share: CURVE, --near, --max-corner,
-/// --max-degree, -o.
+/// --skip-invalid, --pick, --max-degree, -o.
 struct CurveOptions {
   std::string path;
   std::optional<std::string> near;
   std::optional<std::string> max_corner;
   CurveLimits limits;
+  FileReading reading;
   std::string output = "-";
 
   void add_to(Command& command);

@@ -15,6 +15,7 @@ namespace {
 
 struct ConstructOptions {
   std::string data;
+  FileReading reading;
   std::string kind = "quintic";
   std::string select = "auto";
   std::vector<std::string> angles;
@@ -73,7 +74,7 @@ void run(const ConstructOptions& options) {
   const ConstructQuery asked = query(options);
   const std::string bytes = read_file(options.data);
   const std::string file = name_of_file(options.data);
-  GivenPoints given = at_place(file, ":", [&] { return read_points(bytes); });
+  GivenPoints given = at_place(file, ":", [&] { return read_points(bytes, options.reading); });
   if (asked.is_closed && !given.parameter_column.empty() &&
       given.points.front() != given.points.back())
     leave_parameters_out(given, "without that of the end of the closed curve");
@@ -91,6 +92,7 @@ void add_construct(Program& program) {
   const auto options = std::make_shared<ConstructOptions>();
   command.add_argument("DATA", options->data,
                        "points: JSON, a table of text or of NumPy; \"-\" for standard input");
+  add_skip_invalid(command, options->reading);
   std::vector<std::string> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
   command.add_choice("--kind", options->kind, kinds,

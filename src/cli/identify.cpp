@@ -56,6 +56,8 @@ void run(const IdentifyOptions& options) {
   const auto epsilon = options.curve.epsilon();
   const std::string text = read_file(options.curve.path);
   const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
+    options.curve.reading.refuse_skipping("one curve by itself");
+    options.curve.reading.refuse_picking("one curve by itself");
     return epsilon && is_spline_file(text)
                ? std::nullopt
                : std::optional(answer(read_hodograph(text, options.curve.limits), epsilon));

@@ -115,13 +115,14 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--duration", "5"},
                                                 {"--fps", "30"},
                                                 {"--places", "3"},
-                                                {"--question", "info"}};
+                                                {"--question", "info"},
+                                                {"--pick", "left"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
-const std::set<std::string> neutral{"--max-degree", "--max-corner", "--output",         "--threads",
-                                    "--skip-done",  "--help",       "--version",        "--route",
-                                    "--var",        "--full",       "--skip-undefined", "--near",
-                                    "--time-limit"};
+const std::set<std::string> neutral{
+    "--max-degree",     "--max-corner", "--output",     "--threads",     "--skip-done",
+    "--help",           "--version",    "--route",      "--var",         "--full",
+    "--skip-undefined", "--near",       "--time-limit", "--skip-invalid"};
 
 /// All ways to give the options of a command, but the neutral ones.
 std::vector<Given> given(const Json& command) {

@@ -11,11 +11,13 @@
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_curve.hpp"
+#include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/read/svg_file.hpp"
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/read/three_file.hpp"
+#include "phrame/io/read/three_scene.hpp"
 
 namespace phrame {
 namespace {
@@ -57,9 +59,19 @@ GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& li
   return segments;
 }
 
-NamedPath read_json_path(std::string_view text, const CurveLimits& limits) {
+NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
+                         const FileReading& reading) {
   const JsonValue document = parse_json_file(text, "curve file");
   const JsonNode node(document);
+  reading.refuse_skipping("no table");
+  if (is_three_scene(node)) {
+    refuse_long_numbers(node);
+    ThreeCurve read = read_three_scene(node, limits, reading);
+    NamedPath path = path_of(read.name, std::move(read.segments));
+    path.notes = std::move(read.notes);
+    return path;
+  }
+  reading.refuse_picking("one curve");
   if (is_geomdl_file(node) || is_three_file(node)) refuse_long_numbers(node);
   if (is_geomdl_file(node)) {
     const auto name = node.at("shape").find("name");
@@ -70,10 +82,10 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits) {
   return read_any_path(node, limits);
 }
 
-/// Numbers, or names of columns with an x among them, in the first line that says something.
+/// Numbers, or names of columns of which one is that of x, in the first line that says something.
 bool is_table(std::string_view text) {
   for (;;) {
-    const auto end = std::min(text.find('\n'), text.size());
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
     const std::string_view line = trimmed(text.substr(0, end));
     if (line.starts_with('#') || (line.empty() && end < text.size())) {
       text.remove_prefix(std::min(end + 1, text.size()));
@@ -81,15 +93,24 @@ bool is_table(std::string_view text) {
     }
     if (line.empty()) return false;
     constexpr std::string_view first_of_number = "+-.0123456789";
-    if (first_of_number.find(line.front()) != std::string_view::npos) return true;
-    for (std::size_t at = 0; at < line.size();) {
-      const auto separator = std::min(line.find_first_of(";, \t", at), line.size());
-      const std::string word = lower_case(line.substr(at, separator - at));
-      if (word == "x" || word == "\"x\"" || word == "nan" || word == "inf") return true;
-      at = separator + 1;
+    const auto first = line.find_first_not_of('"');
+    if (first != std::string_view::npos &&
+        first_of_number.find(line[first]) != std::string_view::npos)
+      return true;
+    const std::string word = lower_case(line.substr(0, 3));
+    if (word == "nan" || word == "inf") return true;
+    try {
+      return names_positions(header_names(line));
+    } catch (const InputError&) {
+      return false;  // a quote that is not closed
     }
-    return false;
   }
+}
+
+NamedPath path_of_points(PointCurve read) {
+  NamedPath path = path_of(read.name, std::move(read.segments));
+  path.notes = std::move(read.notes);
+  return path;
 }
 
 }  // namespace
@@ -100,10 +121,7 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   if (format == "spline/1") return path_of(read_name(node), read_spline_segments(node, limits));
   if (format == "bspline/1" || format == "nurbs/1")
     return path_of(read_name(node), read_bspline(node, limits));
-  if (format == "points/1") {
-    PointCurve read = read_point_curve(node);
-    return path_of(read.name, std::move(read.segments));
-  }
+  if (format == "points/1") return path_of_points(read_point_curve(node));
   if (format != "curve/1")
     node.at("phrame").fail(
         fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
@@ -112,20 +130,22 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   return path_of(read_name(node), {read_curve_segment(node, limits)});
 }
 
-NamedPath read_any_path(std::string_view text, const CurveLimits& limits) {
+NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
+                        const FileReading& reading) {
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
-  if (content.starts_with('{') || content.starts_with('[')) return read_json_path(text, limits);
-  if (content.starts_with('<')) return path_of("", read_svg(text));
-  if (is_path_data(text)) return path_of("", read_path_data(text, 0, text.size()));
-  if (NpyTable::is_one(text) || is_table(content)) {
-    PointCurve read = read_point_table(text, limits);
-    NamedPath path = path_of(read.name, std::move(read.segments));
-    path.notes = std::move(read.notes);
-    return path;
+  const bool is_path = is_path_data(text);
+  if (content.starts_with('[') || NpyTable::is_one(text) || (!is_path && is_table(content))) {
+    reading.refuse_picking("a table");
+    return path_of_points(read_point_table(text, limits, reading));
   }
-  return read_json_path(text, limits);  // which says what it begins with
+  if (content.starts_with('<') || is_path) {
+    reading.refuse_skipping("an SVG path");
+    reading.refuse_picking("an SVG path");
+    return path_of("", is_path ? read_path_data(text, 0, text.size()) : read_svg(text));
+  }
+  return read_json_path(text, limits, reading);  // which says what it begins with, if not JSON
 }
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -8,12 +9,13 @@ namespace phrame {
 ///   curve/1, with `preimage`, `quaternions` or `hopf`; `control_points`, perhaps with `weights`;
 ///   or `position`, polynomials x, y, z, perhaps over w;
 ///   spline/1, `segments` of these, of bspline/1 and nurbs/1;
-///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text or
-///   NumPy; JSON of geomdl and of three.js; SVG files and path data.
+///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text,
+///   NumPy or JSON; JSON of geomdl and of three.js; SVG files and path data.
 /// A path all of whose segments are PH is read as that, with the same PhPath as read_path(), so
 /// that it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line
 /// 3" or "row 3".
-NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {});
+NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {},
+                        const FileReading& reading = {});
 /// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
 /// "phrame": "curve/1".
 NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});

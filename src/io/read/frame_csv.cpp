@@ -7,7 +7,8 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/read/text_table.hpp"
+#include "phrame/io/read/column_name.hpp"
+#include "phrame/io/read/pose_columns.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame {
@@ -21,15 +22,26 @@ using Group = NumberTable::Group;
 class Layout {
  public:
   Layout(const ColumnNames& names, const std::string& place, FrameReading::Quaternion order);
+  /// Of matrices, without a parameter.
+  explicit Layout(const PoseColumns& matrix) : matrix_(matrix), position_(matrix.position) {}
 
   GivenFrame frame(const NumberTable& table, std::size_t row, const FrameReading& reading) const;
+  /// Where the frame is, at its parameter, its time or, without them, the number of its row.
+  std::optional<GivenPosition> position(const NumberTable& table, std::size_t row) const;
   bool has_quaternions() const { return !q_.columns.empty(); }
+  bool has_parameters() const { return !t_.columns.empty(); }
+  /// Those whose numbers are needed.
+  std::vector<std::size_t> columns() const;
 
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(place_, reason); }
+  void find_parameter(const ColumnNames& names);
   void find(Group& group, const ColumnNames& names) const;
 
   std::string place_;
+  std::optional<PoseColumns> matrix_;
+  std::optional<std::array<std::size_t, 3>> position_;
+  std::optional<std::size_t> time_;  ///< where there is no parameter
   Group t_{"t", " "};
   Group f2_{"f2"};
   Group f3_{"f3"};
@@ -38,20 +50,8 @@ class Layout {
 };
 
 Layout::Layout(const ColumnNames& names, const std::string& place, FrameReading::Quaternion order)
-    : place_(place) {
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (names[k] == "t") {
-      if (t_.columns.empty()) t_.columns.emplace_back();
-      t_.columns[0].push_back(k);
-    }
-  if (t_.columns.empty()) {
-    const auto other = std::find_if(names.begin(), names.end(), [](const std::string& name) {
-      return lower_case(name) == "t" || lower_case(name) == "time";
-    });
-    fail(other == names.end()
-             ? "a column \"t\" is wanted"
-             : fmt::format("missing is the column t: \"{}\" is another name", abbreviated(*other)));
-  }
+    : place_(place), position_(position_columns(names)) {
+  find_parameter(names);
   for (Group* group : {&f2_, &f3_, &e1_, &q_}) find(*group, names);
   if (f2_.columns.empty() && !has_quaternions())
     fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
@@ -63,6 +63,35 @@ Layout::Layout(const ColumnNames& names, const std::string& place, FrameReading:
   std::sort(q_.columns.begin(), q_.columns.end());  // from left to right
   if (order == FrameReading::Quaternion::xyzw)
     std::rotate(q_.columns.begin(), q_.columns.begin() + 3, q_.columns.end());
+}
+
+/// Of frames that say where they are, a time or nothing may stand for it.
+void Layout::find_parameter(const ColumnNames& names) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == "t") {
+      if (t_.columns.empty()) t_.columns.emplace_back();
+      t_.columns[0].push_back(k);
+    }
+  if (!t_.columns.empty()) return;
+  const auto other = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+    const std::string word = lower_case(name);
+    return word == "t" || word == "time" || word == "timestamp";
+  });
+  if (position_ && other != names.end()) time_ = static_cast<std::size_t>(other - names.begin());
+  if (position_) return;
+  fail(other == names.end()
+           ? "a column \"t\" is wanted"
+           : fmt::format("missing is the column t: \"{}\" is another name", abbreviated(*other)));
+}
+
+std::vector<std::size_t> Layout::columns() const {
+  std::vector<std::size_t> list;
+  for (const Group* group : {&t_, &f2_, &f3_, &e1_, &q_})
+    for (const auto& column : group->columns) list.insert(list.end(), column.begin(), column.end());
+  if (position_ && !has_parameters()) list.insert(list.end(), position_->begin(), position_->end());
+  if (matrix_) list.insert(list.end(), matrix_->rotation.begin(), matrix_->rotation.end());
+  if (time_) list.push_back(*time_);
+  return list;
 }
 
 /// All columns of the group or none; a name that is right but for upper and lower case is an error.
@@ -91,16 +120,35 @@ void Layout::find(Group& group, const ColumnNames& names) const {
   group.columns.clear();
 }
 
-/// The frame that q means.
-void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& reading) {
+/// Those of the body in the world.
+using Axes = std::array<Vector<Rational>, 3>;
+
+/// By the unit quaternion along q.
+Axes axes_by(RationalQuaternion q, bool is_inverse) {
   const Rational size = norm(q);
-  if (reading.is_inverse) q = {q.u, -q.v, -q.p, -q.q};
+  if (is_inverse) q = {q.u, -q.v, -q.p, -q.q};
   const auto unit = [&](Vector<Rational> v) {
     for (Rational& x : v) x /= size;
     return v;
   };
-  const std::array<Vector<Rational>, 3> axes{unit(rotated_i(q)), unit(rotated_j(q)),
-                                             unit(rotated_k(q))};
+  return {unit(rotated_i(q)), unit(rotated_j(q)), unit(rotated_k(q))};
+}
+
+/// The columns of the matrix; the rows of one that turns the world to the body.
+Axes axes_by(const NumberTable& table, std::size_t row, const PoseColumns& matrix,
+             bool is_inverse) {
+  Axes axes;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const std::size_t i = k / 3;
+    const std::size_t j = k % 3;
+    (is_inverse ? axes[i][j] : axes[j][i]) =
+        table.number(row, {matrix.rotation[k]}, fmt::format("column {}", matrix.rotation[k] + 1));
+  }
+  return axes;
+}
+
+/// The frame of which one axis is the tangent.
+void set_frame(GivenFrame& frame, const Axes& axes, const FrameReading& reading) {
   const std::size_t first = reading.tangent_axis;
   frame.tangent = axes[first];
   frame.f2 = axes[(first + 1) % 3];
@@ -112,7 +160,13 @@ void set_frame(GivenFrame& frame, RationalQuaternion q, const FrameReading& read
 
 GivenFrame Layout::frame(const NumberTable& table, std::size_t row,
                          const FrameReading& reading) const {
-  GivenFrame frame{table.number(row, t_.columns[0], "t"), {}};
+  GivenFrame frame{reading.parameters.empty() ? Rational() : reading.parameters.at(row), {}};
+  if (reading.parameters.empty() && has_parameters())
+    frame.t = table.number(row, t_.columns[0], "t");
+  if (matrix_) {
+    set_frame(frame, axes_by(table, row, *matrix_, reading.is_inverse), reading);
+    return frame;
+  }
   if (!has_quaternions()) {
     frame.f2 = table.vector(row, f2_);
     if (!f3_.columns.empty()) frame.f3 = table.vector(row, f3_);
@@ -122,8 +176,21 @@ GivenFrame Layout::frame(const NumberTable& table, std::size_t row,
   const auto [w, x, y, z] = table.numbers(row, q_);
   const RationalQuaternion q{w, x, y, z};
   if (norm(q) == 0) throw InputError(table.place(row), "the quaternion is 0");
-  set_frame(frame, q, reading);
+  set_frame(frame, axes_by(q, reading.is_inverse), reading);
   return frame;
+}
+
+std::optional<GivenPosition> Layout::position(const NumberTable& table, std::size_t row) const {
+  if (!position_) return std::nullopt;
+  GivenPosition found{Rational(static_cast<long>(row)), {}};
+  if (has_parameters()) found.t = table.number(row, t_.columns[0], "t");
+  if (time_) found.t = table.number(row, {*time_}, "time");
+  for (std::size_t c = 0; c < 3; ++c) {
+    // Where the frames have parameters, nothing depends on it.
+    if (has_parameters() && table.is_missing(row, (*position_)[c])) return std::nullopt;
+    found.r[c] = table.number(row, {(*position_)[c]}, "position");
+  }
+  return found;
 }
 
 void add_triple(ColumnNames& names, std::string_view name) {
@@ -146,41 +213,63 @@ ColumnNames names_by_number(std::size_t columns) {
   return names.size() == 1 ? ColumnNames{} : names;
 }
 
-GivenTable frames_of(const NumberTable& table, const FrameReading& reading, std::size_t at_most) {
+/// The names of the columns, of which `result` tells how they were found.
+ColumnNames names_of(const NumberTable& table, const FrameReading& reading, GivenTable& result) {
   ColumnNames names = table.names();
-  GivenTable result;
-  if (names.empty()) {
-    names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
-    if (names.empty())
-      throw InputError(table.place(0),
-                       fmt::format("there is no header, and of {} it is not known what they "
-                                   "are: 4, 5, 7, 8, 10, and 13 or more are; --header names them",
-                                   counted(table.columns(), "column")));
-    if (!reading.names.empty() && names.size() != table.columns())
-      throw InputError("--header", fmt::format("{} for {}", counted(names.size(), "name"),
-                                               counted(table.columns(), "column")));
-    if (reading.names.empty()) result.columns = names;
-    result.skipped = table.columns() - names.size();
-  } else if (!reading.names.empty()) {
+  if (!names.empty() && !reading.names.empty())
     throw InputError("--header",
                      "is for tables without a header; this one has one: " + table.header_place());
-  }
-  const Layout layout(names, reading.names.empty() ? table.header_place() : "--header",
-                      reading.quaternion);
+  if (!names.empty()) return names;
+  names = reading.names.empty() ? names_by_number(table.columns()) : reading.names;
+  if (names.empty())
+    throw InputError(table.place(0),
+                     fmt::format("there is no header, and of {} it is not known what they "
+                                 "are: 4, 5, 7, 8, 10, and 13 or more are, and matrices of 12 and "
+                                 "16 numbers; --header names them",
+                                 counted(table.columns(), "column")));
+  if (!reading.names.empty() && names.size() != table.columns())
+    throw InputError("--header", fmt::format("{} for {}", counted(names.size(), "name"),
+                                             counted(table.columns(), "column")));
+  if (reading.names.empty()) result.columns = names;
+  result.skipped = table.columns() - names.size();
+  return names;
+}
+
+Layout layout_of(const NumberTable& table, const FrameReading& reading, GivenTable& result) {
+  if (table.names().empty() && reading.names.empty())
+    if (const auto matrix = matrix_columns(table)) {
+      result.has_matrices = true;
+      result.notes.push_back(
+          fmt::format("{} columns without names are taken for {}", table.columns(), matrix->what));
+      return Layout(*matrix);
+    }
+  return {names_of(table, reading, result),
+          reading.names.empty() ? table.header_place() : "--header", reading.quaternion};
+}
+
+GivenTable frames_of(std::unique_ptr<NumberTable> table, const FrameReading& reading,
+                     std::size_t at_most) {
+  GivenTable result;
+  const Layout layout = layout_of(*table, reading, result);
+  if (reading.skips_invalid) table = without_missing(std::move(table), layout.columns());
   result.has_quaternions = layout.has_quaternions();
-  const std::size_t rows = table.rows();
+  result.has_parameters = layout.has_parameters();
+  const std::size_t rows = table->rows();
   const std::size_t count = std::min(rows, std::max(at_most, std::size_t{2}));
   result.frames.reserve(count);
-  for (std::size_t k = 0; k < count; ++k)
-    result.frames.push_back(
-        layout.frame(table, count == rows ? k : k * (rows - 1) / (count - 1), reading));
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = count == rows ? k : k * (rows - 1) / (count - 1);
+    result.frames.push_back(layout.frame(*table, row, reading));
+    if (auto position = layout.position(*table, row)) result.positions.push_back(*position);
+  }
+  result.notes.insert(result.notes.begin(), table->notes().begin(), table->notes().end());
   return result;
 }
 
 }  // namespace
 
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
-  return frames_of(*read_number_table(bytes, {reading.names.empty(), "frames"}), reading, at_most);
+  return frames_of(read_number_table(bytes, {reading.names.empty(), "frames"}), reading, at_most);
 }
 
 std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {
@@ -219,20 +308,21 @@ std::vector<ColumnNames> matrix_names(bool has_position) {
 std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading) {
   std::vector<FrameReading> others;
   using Quaternion = FrameReading::Quaternion;
-  if (table.has_quaternions) {
+  if (table.has_quaternions || table.has_matrices) {
     for (const bool is_other_order : {false, true})
-      for (const std::size_t turn : {0U, 2U, 1U})
-        for (const bool is_opposite : {false, true})
-          for (const bool is_inverse : {false, true}) {
-            FrameReading other = reading;
-            if (is_other_order)
-              other.quaternion =
-                  reading.quaternion == Quaternion::xyzw ? Quaternion::wxyz : Quaternion::xyzw;
-            other.tangent_axis = (reading.tangent_axis + turn) % 3;
-            other.is_axis_reversed = reading.is_axis_reversed != is_opposite;
-            other.is_inverse = reading.is_inverse != is_inverse;
-            if (other != reading) others.push_back(other);
-          }
+      if (table.has_quaternions || !is_other_order)
+        for (const std::size_t turn : {0U, 2U, 1U})
+          for (const bool is_opposite : {false, true})
+            for (const bool is_inverse : {false, true}) {
+              FrameReading other = reading;
+              if (is_other_order)
+                other.quaternion =
+                    reading.quaternion == Quaternion::xyzw ? Quaternion::wxyz : Quaternion::xyzw;
+              other.tangent_axis = (reading.tangent_axis + turn) % 3;
+              other.is_axis_reversed = reading.is_axis_reversed != is_opposite;
+              other.is_inverse = reading.is_inverse != is_inverse;
+              if (other != reading) others.push_back(other);
+            }
     const auto changes = [&](const FrameReading& other) {
       return (other.quaternion != reading.quaternion ? 1 : 0) +
              (other.tangent_axis != reading.tangent_axis ? 1 : 0) +

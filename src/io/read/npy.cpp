@@ -102,10 +102,15 @@ void NpyTable::lay_out_plain(const NpyHeader& header) {
   if (type.kind == 0)
     fail(fmt::format("numbers of the type '{}' are not read: save doubles, by array.astype(float)",
                      abbreviated(type.text)));
-  if (header.shape.size() != 2)
-    fail(fmt::format("an array of two dimensions is wanted, not of {}", header.shape.size()));
-  rows_ = header.shape[0];
-  const std::size_t columns = header.shape[1];
+  const auto& shape = header.shape;
+  const bool has_matrices = shape.size() == 3 && (shape[1] == 3 || shape[1] == 4) && shape[2] == 4;
+  if (shape.size() != 2 && !has_matrices)
+    fail(
+        fmt::format("an array of two dimensions is wanted, or of matrices, (n, 4, 4) or (n, 3, 4), "
+                    "not of {}",
+                    shape.size()));
+  rows_ = shape[0];
+  const std::size_t columns = has_matrices ? shape[1] * 4 : shape[1];
   if (rows_ == 0 || columns == 0) throw InputError("data", "there are no frames");
   const std::size_t count = data_.size() / type.size;
   if (data_.size() % type.size != 0 || count % columns != 0 || count / columns != rows_)
@@ -113,8 +118,10 @@ void NpyTable::lay_out_plain(const NpyHeader& header) {
                      fmt::format("wanted: {} × {} numbers of {} each; there: {}", rows_, columns,
                                  counted(type.size, "byte"), counted(data_.size(), "byte")));
   stride_ = header.is_fortran ? type.size : columns * type.size;
-  for (std::size_t k = 0; k < columns; ++k)
-    columns_.push_back({type, header.is_fortran ? k * rows_ * type.size : k * type.size});
+  for (std::size_t k = 0; k < columns; ++k) {
+    const std::size_t in_fortran = has_matrices ? k / 4 + shape[1] * (k % 4) : k;
+    columns_.push_back({type, header.is_fortran ? in_fortran * rows_ * type.size : k * type.size});
+  }
 }
 
 void NpyTable::lay_out_structured(const NpyHeader& header) {
@@ -159,19 +166,30 @@ void NpyTable::lay_out_structured(const NpyHeader& header) {
                                          counted(stride_, "byte"), counted(data_.size(), "byte")));
 }
 
+bool NpyTable::is_missing(std::size_t row, std::size_t column) const {
+  return columns_[column].type.kind == 'f' && !std::isfinite(floating_point(row, column));
+}
+
+double NpyTable::floating_point(std::size_t row, std::size_t column) const {
+  const auto& [type, offset] = columns_[column];
+  const std::uint64_t bits =
+      unsigned_integer(data_.substr(offset + row * stride_, type.size), type.is_big_endian);
+  return type.size == 8   ? std::bit_cast<double>(bits)
+         : type.size == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
+                          : half_precision(bits);
+}
+
 Rational NpyTable::number(std::size_t row, std::size_t column) const {
   const auto& [type, offset] = columns_[column];
   if (type.kind == 0)
     throw InputError(fmt::format("numbers of the type '{}' are not read", abbreviated(type.text)));
-  const std::uint64_t bits =
-      unsigned_integer(data_.substr(offset + row * stride_, type.size), type.is_big_endian);
   if (type.kind == 'f') {
-    const double x = type.size == 8   ? std::bit_cast<double>(bits)
-                     : type.size == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
-                                      : half_precision(bits);
+    const double x = floating_point(row, column);
     if (!std::isfinite(x)) throw InputError(fmt::format("\"{}\" is not a number", x));
     return exact_rational(x);
   }
+  const std::uint64_t bits =
+      unsigned_integer(data_.substr(offset + row * stride_, type.size), type.is_big_endian);
   const Rational value = Rational(static_cast<long>(bits >> 32U)) * power_of_two(32) +
                          Rational(static_cast<long>(bits & 0xFFFFFFFFU));
   const auto width = static_cast<long>(8 * type.size);

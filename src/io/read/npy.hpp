@@ -10,7 +10,8 @@ namespace phrame {
 struct NpyHeader;
 
 /// A table in NumPy's .npy format, versions 1.0 to 3.0 (numpy.lib.format): an array of two
-/// dimensions, in C or Fortran order, or a structured array of one, whose fields are the columns; a
+/// dimensions, in C or Fortran order, one of matrices, (n, 4, 4) or (n, 3, 4), whose numbers are
+/// the columns, row by row, or a structured array of one dimension, whose fields are the columns; a
 /// field "f2" of shape (3,) is the columns f2x, f2y, f2z, and a field "q" of shape (4,) is qw, qx,
 /// qy, qz. Integers and floating-point numbers of 2, 4 and 8 bytes of either byte order are read,
 /// exactly.
@@ -30,6 +31,7 @@ class NpyTable : public NumberTable {
   using NumberTable::number;
   /// NaN, infinities and types that are not read are no numbers.
   Rational number(std::size_t row, std::size_t column) const override;
+  bool is_missing(std::size_t row, std::size_t column) const override;
 
  private:
   /// How one number is written, as "<f8" says it.
@@ -43,6 +45,7 @@ class NpyTable : public NumberTable {
     Type type;
     std::size_t offset;  ///< of its first number
   };
+  double floating_point(std::size_t row, std::size_t column) const;
   static Type type_of(const std::string& text);
   void lay_out_plain(const NpyHeader& header);
   void lay_out_structured(const NpyHeader& header);

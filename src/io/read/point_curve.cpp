@@ -12,6 +12,7 @@
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
+#include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"
@@ -318,11 +319,12 @@ PointCurve read_point_curve(const JsonNode& node) {
   return {given.name, spline_segments(data, place, place_of_point)};
 }
 
-PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits) {
-  GivenPoints given = read_points(bytes);
-  const Settings settings = NpyTable::is_one(bytes) ? Settings() : read_comments(bytes);
-  return table_curve(*read_number_table(bytes, {true, "points"}), std::move(given), settings,
-                     limits);
+PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
+                            const FileReading& reading) {
+  const bool has_comments = !NpyTable::is_one(bytes) && !trimmed(bytes).starts_with('[');
+  const Settings settings = has_comments ? read_comments(bytes) : Settings();
+  PointTable read = read_points_of_table(bytes, reading);
+  return table_curve(*read.table, std::move(read.given), settings, limits);
 }
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "phrame/io/read/curve_file.hpp"
+#include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
 
@@ -21,10 +22,11 @@ struct PointCurve {
 /// (ph/construct/cubic_interpolation.hpp).
 PointCurve read_point_curve(const JsonNode& node);
 
-/// The same of a table, of text or of NumPy (read_points). In comments of a text, "# kind:
+/// The same of a table (read_points). In comments of a text, "# kind:
 /// periodic", may be kind, not clamped, and spacing. With the kind bezier or bspline the points are
 /// control points, with weights where there is a column w: of one Bézier curve, or of a B-spline
 /// with clamped uniform knots, of degree 3 unless "# degree: 4".
-PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits);
+PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
+                            const FileReading& reading = {});
 
 }  // namespace phrame

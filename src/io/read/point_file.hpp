@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
 namespace phrame {
@@ -12,16 +13,16 @@ class JsonNode;
 /// In points/1, JSON, are `points`, a list of two or three coordinates each, and, as many of each,
 /// `derivatives` or `tangents`, `accelerations` and `parameters`; all but the points may be left
 /// out. `name` and `note` are for people.
-/// A table is text (TextTable) or of NumPy (NpyTable). Its columns are named x, y and z, and may be
-/// t, the parameter, dx, dy, dz, the derivatives by t, and e1x, e1y, e1z, the tangents. Without t
-/// the first of time, timestamp, parameter, u and s is the parameter, if its numbers increase. All
-/// others are skipped; notes_on_columns() names them. Without names two columns are x, y and three
-/// x, y, z.
-/// Numbers are read exactly. Throws InputError for what is not of this form, for fewer than two
-/// points, tangents that are 0, parameters that do not increase, and for a point that is that
-/// before it, unless there are derivatives. The place is a JSON pointer, "line 3", "line 3, y" or
-/// "row 3".
-GivenPoints read_points(std::string_view bytes);
+/// A table is text (TextTable), of JSON, a list (JsonTable), or of NumPy (NpyTable). Its columns
+/// are named x, y and z, or as position_column() knows them, and may be t, the parameter, dx, dy,
+/// dz, the derivatives by t, and e1x, e1y, e1z, the tangents. Without t the first of time,
+/// timestamp, parameter, u and s is the parameter, if its numbers increase. All others are skipped;
+/// notes_on_columns() names them. Without names two columns are x, y, three x, y, z, and 8, 12 and
+/// 16 poses (read_point_rows). Numbers are read exactly. Throws InputError for what is not of this
+/// form, for fewer than two points, tangents that are 0, parameters that do not increase, and for a
+/// point that is that before it, unless there are derivatives. The place is a JSON pointer, "line
+/// 3", "line 3, y" or "row 3".
+GivenPoints read_points(std::string_view bytes, const FileReading& reading = {});
 /// Reads what points/1 has at these keys, and no others.
 GivenPoints read_points(const JsonNode& node);
 

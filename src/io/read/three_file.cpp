@@ -198,7 +198,8 @@ Segments read_three_curve(const JsonNode& node, const CurveLimits& limits) {
   if (type == "NURBSCurve") return read_three_nurbs(node, limits);
   if (type == "CurvePath" || type == "Path" || type == "Shape")
     return read_curve_path(node, limits);
-  if (type == "TubeGeometry") return read_three_curve(node.at("path"), limits);
+  if (type == "TubeGeometry" || type == "TubeBufferGeometry")
+    return read_three_curve(node.at("path"), limits);
   node.at("type").fail(
       fmt::format("\"{}\" is no curve of three.js that is known", abbreviated(type)));
 }
@@ -211,7 +212,7 @@ bool is_three_file(const JsonNode& node) {
   if (!type || !type->is(JsonNode::Kind::string)) return false;
   const std::string& name = type->string();
   constexpr std::array<std::string_view, 4> endings{"Curve", "Curve3", "Path", "Shape"};
-  return name == "TubeGeometry" ||
+  return name == "TubeGeometry" || name == "TubeBufferGeometry" ||
          std::any_of(endings.begin(), endings.end(),
                      [&](std::string_view ending) { return name.ends_with(ending); });
 }

@@ -6,7 +6,8 @@
 namespace phrame {
 
 /// Is it what the curves of three.js write by toJSON(): an object whose "type" ends with Curve,
-/// Curve3, PhPath or Shape, or a TubeGeometry, which has a curve?
+/// Curve3, PhPath or Shape, or a TubeGeometry, until r144 a TubeBufferGeometry,
+/// which has a curve?
 bool is_three_file(const JsonNode& node);
 /// The curve of such an object: lines, Bézier curves of degree 2 and 3, CatmullRomCurve3,
 /// SplineCurve, EllipseCurve and ArcCurve, NURBSCurve, and CurvePath, PhPath and Shape of these.

@@ -19,6 +19,7 @@ struct GivenPoints {
   /// @{ Of a table: the column of the parameters, where it is not called t, and what was skipped.
   std::string parameter_column = {};
   std::vector<std::string> skipped_columns = {};
+  std::vector<std::string> notes = {};  ///< what else was assumed, in sentences without a point
   /// @}
   friend bool operator==(const GivenPoints&, const GivenPoints&) = default;
 };

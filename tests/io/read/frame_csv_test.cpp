@@ -54,16 +54,17 @@ TEST_CASE("frame table: lines end with a line feed, a carriage return or both") 
 }
 
 TEST_CASE("frame table: numbers are read exactly, other columns are skipped") {
-  const auto [frames, columns, skipped, has_quaternions] =
+  const GivenTable table =
       read_frames("# by hand\n\nx,t,f2x,f2y,f2z\r\n?, 0.1, 1e-3,\t-2,1/3\r\n\n9,1,0,0,0x1p-1\n");
+  const auto& frames = table.frames;
   REQUIRE(frames.size() == 2);
   CHECK(frames[0].t == Rational(1, 10));
   CHECK(frames[0].f2 == Vector<Rational>{Rational(1, 1000), -2, Rational(1, 3)});
   CHECK(frames[1].f2[2] == Rational(1, 2));
   CHECK_FALSE(frames[0].f3);
   CHECK_FALSE(frames[0].tangent);
-  CHECK(columns.empty());
-  CHECK_FALSE(has_quaternions);
+  CHECK(table.columns.empty());
+  CHECK_FALSE(table.has_quaternions);
   const auto all = read_frames("f3x,f3y,f3z,e1x,e1y,e1z,f2x,f2y,f2z,t\n1,2,3,4,5,6,7,8,9,0").frames;
   CHECK(all[0].f3 == Vector<Rational>{1, 2, 3});
   CHECK(all[0].tangent == Vector<Rational>{4, 5, 6});
@@ -112,8 +113,8 @@ TEST_CASE("frame table: what is wrong is told with line and column") {
   CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") == "line 3: 3 numbers here, but 4 in the header");
   CHECK(refusal("t,f2x,f2y,f2z\n0,1,nan,0\n").starts_with("line 2, f2y: "));
   CHECK(refusal("t,qw,qx,qy,qz\n0,0,0,0,0\n") == "line 2: the quaternion is 0");
-  CHECK(refusal("t;f2x;f2y;f2z\n0;0,5;1;0\n") ==
-        "line 2, f2x: \"0,5\" is not a number: decimals have a point, not a comma");
+  CHECK(refusal("t;f2x;f2y;f2z\n0.5;0,5;1;0\n") ==
+        "line 2, f2x: \"0,5\" is not a number: decimals elsewhere have a point, not a comma");
   CHECK(refusal(std::string("\xFF\xFEt\0", 4)).starts_with("line 1: the text is UTF-16"));
 }
 
@@ -379,6 +380,53 @@ TEST_CASE("frame table: what is wrong with f3 is not hidden by calling it a posi
   CHECK_FALSE(is_position(Rational(10'020, 10'000), 0));  // by twice as much
   CHECK_FALSE(is_position(2, 0));
   CHECK_FALSE(is_position(0, 1));
+}
+
+// A quarter turn about z: the body's x is along y.
+TEST_CASE("frame table: matrices without names are frames, and say where they are") {
+  const GivenTable table = read_frames("0 -1 0 7 1 0 0 8 0 0 1 9\n");
+  CHECK(table.has_matrices);
+  CHECK_FALSE(table.has_parameters);
+  CHECK(table.frames[0].tangent == Vector<Rational>{0, 1, 0});
+  CHECK(table.frames[0].f2 == Vector<Rational>{-1, 0, 0});
+  CHECK(table.frames[0].f3 == Vector<Rational>{0, 0, 1});
+  CHECK(table.positions.at(0).r == Vector<Rational>{7, 8, 9});
+  CHECK(table.notes == std::vector<std::string>{
+                           "12 columns without names are taken for 3 × 4 matrices, row by row"});
+  FrameReading inverse;
+  inverse.is_inverse = true;
+  CHECK(read_frames("0 -1 0 7 1 0 0 8 0 0 1 9\n", inverse).frames[0].tangent ==
+        Vector<Rational>{0, -1, 0});
+  FrameReading along_z;
+  along_z.tangent_axis = 2;
+  along_z.parameters = {Rational(5)};
+  const GivenFrame frame = read_frames("0 1 0 0 -1 0 0 0 0 0 1 0 7 8 9 1\n", along_z).frames[0];
+  CHECK(frame.t == 5);
+  CHECK(frame.tangent == Vector<Rational>{0, 0, 1});
+  CHECK(frame.f2 == Vector<Rational>{0, 1, 0});
+  CHECK(other_readings(table, {}).size() == 11);  // six tangents, to the world or to the body
+}
+
+TEST_CASE("frame table: of frames with positions a time stands for the parameter") {
+  const GivenTable tum =
+      read_frames("# timestamp tx ty tz qx qy qz qw\n10 1 2 3 0 0 0 1\n12 4 5 6 0 0 0 1\n");
+  CHECK(tum.has_quaternions);
+  CHECK_FALSE(tum.has_parameters);
+  CHECK(tum.positions[1].t == 12);
+  CHECK(tum.positions[1].r == Vector<Rational>{4, 5, 6});
+  CHECK(tum.frames[0].tangent == Vector<Rational>{1, 0, 0});
+  CHECK(read_frames("x,y,z,f2x,f2y,f2z\n1,2,3,0,1,0\n").positions[0].t == 0);
+  CHECK(read_frames("t,x,y,z,f2x,f2y,f2z\n3,,2,3,0,1,0\n").positions.empty());
+}
+
+TEST_CASE("frame table: rows that miss a number are left out if that is asked for") {
+  const std::string text = "t,f2x,f2y,f2z,note\n0,1,0,0,\n1,NaN,0,1,\n2,0,1,0,\n";
+  CHECK(refusal(text).starts_with("line 3, f2x: \"NaN\" is not a number"));
+  FrameReading reading;
+  reading.skips_invalid = true;
+  const GivenTable table = read_frames(text, reading);
+  CHECK(table.frames.size() == 2);
+  CHECK(table.notes == std::vector<std::string>{"left out is 1 row without a number, line 3"});
 }
 
 }  // namespace frame_csv_test

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace phrame {
+
+/// What is asked of whoever reads a file, beside the limits.
+struct FileReading {
+  /// Of tables and lists of points: rows that miss a number, and points that are those before them,
+  /// are left out, and a note says how many. Otherwise the first of them is refused.
+  bool skips_invalid = false;
+  /// Of a file with several curves, the one of this name; where it is empty, a file with several is
+  /// refused with the list of their names.
+  std::string pick = {};
+  bool skips_where_possible = false;  ///< files without such rows are not refused then
+
+  /// Is nothing asked?
+  bool is_plain() const { return !skips_invalid && pick.empty(); }
+  /// Throws InputError, without a place, for what means nothing in a file of this `kind`, "an SVG
+  /// file", whose points or curves it is not about.
+  void refuse_skipping(std::string_view kind) const;
+  void refuse_picking(std::string_view kind) const;
+};
+
+}  // namespace phrame

@@ -1,0 +1,123 @@
+#include "phrame/io/read/json_table.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/column_name.hpp"
+#include "phrame/io/write/text.hpp"
+
+namespace phrame {
+namespace {
+
+using Kind = JsonNode::Kind;
+
+/// Of a row of numbers, or of lists of them.
+std::size_t width_of(const JsonNode& row) {
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < row.size(); ++k)
+    width += row.item(k).is(Kind::array) ? row.item(k).size() : 1;
+  return width;
+}
+
+}  // namespace
+
+bool JsonTable::is_one(const JsonNode& node) {
+  if (!node.is(Kind::array) || node.size() == 0) return false;
+  const Kind kind = node.item(0).is(Kind::object) ? Kind::object : Kind::array;
+  for (std::size_t k = 0; k < node.size(); ++k)
+    if (!node.item(k).is(kind)) return false;
+  return true;
+}
+
+JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
+  const JsonNode list(document_);
+  list.require(Kind::array, "a list of rows");
+  if (list.size() == 0) list.fail("the list is empty");
+  const JsonNode first = list.item(0);
+  if (!is_one(list)) {
+    const bool is_odd = first.is(Kind::array) || first.is(Kind::object);
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (!is_odd || !list.item(k).is(first.is(Kind::array) ? Kind::array : Kind::object))
+        list.item(k).require(is_odd && first.is(Kind::object) ? Kind::object : Kind::array,
+                             is_odd ? "a row like the first" : "a row");
+  }
+  if (first.is(Kind::array))
+    lay_out_lists(list);
+  else
+    lay_out_objects(first);
+  if (columns_.empty()) first.fail("the row is empty");
+}
+
+void JsonTable::lay_out_lists(const JsonNode& list) {
+  const JsonNode first = list.item(0);
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const JsonNode item = first.item(k);
+    if (!item.is(Kind::array))
+      columns_.push_back({{"", k}});
+    else
+      for (std::size_t j = 0; j < item.size(); ++j) columns_.push_back({{"", k}, {"", j}});
+  }
+  for (std::size_t row = 0; row < list.size(); ++row)
+    if (const std::size_t width = width_of(list.item(row)); width != columns_.size())
+      list.item(row).fail(fmt::format("{} here, but {} in the first row", counted(width, "number"),
+                                      columns_.size()));
+}
+
+void JsonTable::lay_out_objects(const JsonNode& first) {
+  const auto add = [&](const std::string& name, Steps steps) {
+    ColumnName column = column_name(name);
+    names_.push_back(std::move(column.name));
+    units_.push_back(std::move(column.unit));
+    columns_.push_back(std::move(steps));
+  };
+  for (const std::string& key : first.keys()) {
+    const JsonNode member = first.at(key);
+    if (member.is(Kind::object))
+      for (const std::string& inner : member.keys()) add(key + "." + inner, {{key}, {inner}});
+    else if (member.is(Kind::array) && (member.size() == 2 || member.size() == 3))
+      for (std::size_t k = 0; k < member.size(); ++k)
+        add(fmt::format("{}.{}", key, "xyz"[k]), {{key}, {"", k}});
+    else
+      add(key, {{key}});
+  }
+}
+
+std::optional<JsonNode> JsonTable::find(std::size_t row, std::size_t column) const {
+  std::optional<JsonNode> node = JsonNode(document_).item(row);
+  for (const Step& step : columns_[column]) {
+    if (!step.key.empty() && node->is(Kind::object))
+      node = node->find(step.key);
+    else if (step.key.empty() && node->is(Kind::array) && step.index < node->size())
+      node = node->item(step.index);
+    else
+      return std::nullopt;
+    if (!node) return std::nullopt;
+  }
+  return node;
+}
+
+std::string JsonTable::place(std::size_t row) const { return fmt::format("/{}", row); }
+
+std::string JsonTable::place_in_row(std::size_t row, std::size_t column,
+                                    std::string_view name) const {
+  const auto node = find(row, column);
+  return node ? node->place() : NumberTable::place_in_row(row, column, name);
+}
+
+Rational JsonTable::number(std::size_t row, std::size_t column) const {
+  const auto node = find(row, column);
+  if (!node) throw InputError("there is no number");
+  try {
+    return node->number();
+  } catch (const InputError& error) {
+    throw InputError(error.reason());
+  }
+}
+
+bool JsonTable::is_missing(std::size_t row, std::size_t column) const {
+  const auto node = find(row, column);
+  if (!node || node->is(Kind::null)) return true;
+  return node->is(Kind::string) && is_missing_text(node->text());
+}
+
+}  // namespace phrame

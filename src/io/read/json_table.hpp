@@ -1,0 +1,47 @@
+#pragma once
+#include <optional>
+
+#include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/number_table.hpp"
+
+namespace phrame {
+
+/// A table in JSON: a list of rows. Each is a list of numbers, or of lists of them, as a matrix is;
+/// or an object, whose keys are the columns: those of the first row. A member that is an object has
+/// columns "position.x", and so has a list of two or three numbers. Members that are missing or
+/// null are no numbers.
+class JsonTable : public NumberTable {
+ public:
+  /// Is it a list of lists or of objects, and of nothing else?
+  static bool is_one(const JsonNode& node);
+
+  /// Throws InputError for what is no such list, or has no row, and for rows of unequal widths; its
+  /// place is a JSON pointer.
+  explicit JsonTable(JsonValue document);
+
+  std::string header_place() const override { return "/0"; }
+  std::size_t rows() const override { return document_.items.size(); }
+  std::size_t columns() const override { return columns_.size(); }
+  std::string place(std::size_t row) const override;
+  std::string place_in_row(std::size_t row, std::size_t column,
+                           std::string_view name) const override;
+  using NumberTable::number;
+  Rational number(std::size_t row, std::size_t column) const override;
+  bool is_missing(std::size_t row, std::size_t column) const override;
+
+ private:
+  /// Where a number is within its row: at a key or an index, perhaps within what is there.
+  struct Step {
+    std::string key;
+    std::size_t index = 0;
+  };
+  using Steps = std::vector<Step>;
+  void lay_out_lists(const JsonNode& list);
+  void lay_out_objects(const JsonNode& first);
+  std::optional<JsonNode> find(std::size_t row, std::size_t column) const;
+
+  JsonValue document_;
+  std::vector<Steps> columns_;
+};
+
+}  // namespace phrame
