@@ -8,11 +8,14 @@
 #include "phrame/io/read/bspline_node.hpp"
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/geomdl_file.hpp"
+#include "phrame/io/read/godot_file.hpp"
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_curve.hpp"
 #include "phrame/io/read/point_table.hpp"
+#include "phrame/io/read/polyline_file.hpp"
 #include "phrame/io/read/rational_node.hpp"
+#include "phrame/io/read/scipy_node.hpp"
 #include "phrame/io/read/svg_file.hpp"
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/text_table.hpp"
@@ -59,6 +62,12 @@ GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& li
   return segments;
 }
 
+NamedPath path_of_points(PointCurve read) {
+  NamedPath path = path_of(read.name, std::move(read.segments));
+  path.notes = std::move(read.notes);
+  return path;
+}
+
 NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
                          const FileReading& reading) {
   const JsonValue document = parse_json_file(text, "curve file");
@@ -66,12 +75,13 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
   reading.refuse_skipping("no table");
   if (is_three_scene(node)) {
     refuse_long_numbers(node);
-    ThreeCurve read = read_three_scene(node, limits, reading);
-    NamedPath path = path_of(read.name, std::move(read.segments));
-    path.notes = std::move(read.notes);
-    return path;
+    return path_of_points(read_three_scene(node, limits, reading));
   }
   reading.refuse_picking("one curve");
+  if (is_scipy_curve(node)) {
+    refuse_long_numbers(node);
+    return path_of_points(read_scipy(node, limits));
+  }
   if (is_geomdl_file(node) || is_three_file(node)) refuse_long_numbers(node);
   if (is_geomdl_file(node)) {
     const auto name = node.at("shape").find("name");
@@ -107,10 +117,14 @@ bool is_table(std::string_view text) {
   }
 }
 
-NamedPath path_of_points(PointCurve read) {
-  NamedPath path = path_of(read.name, std::move(read.segments));
-  path.notes = std::move(read.notes);
-  return path;
+/// Of lists, [t, c, k] is no table; what is no JSON is complained of by whoever reads a table.
+bool is_scipy_list(std::string_view text) {
+  try {
+    const JsonValue document = parse_json(text);
+    return is_scipy_curve(JsonNode(document));
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -136,6 +150,13 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
   const bool is_path = is_path_data(text);
+  if (is_godot_file(content)) {
+    reading.refuse_skipping("a Bézier curve of Godot");
+    return path_of_points(read_godot(text, reading));
+  }
+  if (is_polyline_file(content)) return path_of_points(read_polyline(text, reading));
+  if (content.starts_with('[') && is_scipy_list(content))
+    return read_json_path(text, limits, reading);
   if (content.starts_with('[') || NpyTable::is_one(text) || (!is_path && is_table(content))) {
     reading.refuse_picking("a table");
     return path_of_points(read_point_table(text, limits, reading));

@@ -327,4 +327,15 @@ PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
   return table_curve(*read.table, std::move(read.given), settings, limits);
 }
 
+PointCurve spline_through(std::unique_ptr<NumberTable> table, bool of_a_loop,
+                          const FileReading& reading) {
+  Settings settings;
+  if (of_a_loop) settings["kind"] = {"periodic", ""};
+  PointTable read = read_point_rows(std::move(table), reading);
+  PointCurve curve = table_curve(*read.table, std::move(read.given), settings, {});
+  curve.notes.emplace_back(of_a_loop ? "the curve is the periodic cubic spline through the points"
+                                     : "the curve is the natural cubic spline through the points");
+  return curve;
+}
+
 }  // namespace phrame

@@ -1,18 +1,20 @@
 #pragma once
+#include <memory>
 #include <string>
 
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/number_table.hpp"
 
 namespace phrame {
 
-/// A curve by points: its name, and its pieces.
+/// A curve as it was read: its name, and its pieces.
 struct PointCurve {
   std::string name;
   std::vector<GivenSegment> segments;
-  std::vector<std::string> notes = {};  ///< notes_on_columns()
+  std::vector<std::string> notes = {};  ///< what was assumed, as notes_on_columns()
 };
 
 /// A points/1 file as a curve: with "derivatives" the C¹ cubic spline that has them; else the C²
@@ -28,5 +30,10 @@ PointCurve read_point_curve(const JsonNode& node);
 /// with clamped uniform knots, of degree 3 unless "# degree: 4".
 PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
                             const FileReading& reading = {});
+
+/// The natural cubic spline through the rows of a table whose columns are named; a periodic one
+/// where they are those `of_a_loop`, the last point being the first.
+PointCurve spline_through(std::unique_ptr<NumberTable> table, bool of_a_loop,
+                          const FileReading& reading);
 
 }  // namespace phrame

@@ -1,11 +1,9 @@
 #include "phrame/io/read/three_scene.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/curve_choice.hpp"
 #include "phrame/io/read/three_file.hpp"
 
 namespace phrame {
@@ -21,10 +19,7 @@ std::string text_at(const JsonNode& node, const std::string& key) {
 /// A curve of the scene, not yet read.
 struct Candidate {
   JsonNode curve;
-  std::string uuid;
-  std::string name;  ///< may be empty
-
-  const std::string& shown() const { return name.empty() ? uuid : name; }
+  CurveLabel label;  ///< its uuid is the id
 };
 
 /// The name of the first object below this one that has this geometry; empty where it has none.
@@ -58,45 +53,14 @@ std::vector<Candidate> candidates(const JsonNode& scene) {
       if (!item.is(Kind::object)) continue;
       const auto curve = curve_of(item);
       if (!curve) continue;
-      Candidate found{*curve, text_at(item, "uuid"), text_at(item, "name")};
+      CurveLabel label{text_at(item, "name"), text_at(item, "uuid")};
       const auto object = scene.find("object");
-      if (found.name.empty() && object) found.name = name_of_owner(*object, found.uuid);
-      if (found.shown().empty()) found.name = item.place();
-      all.push_back(std::move(found));
+      if (label.name.empty() && object) label.name = name_of_owner(*object, label.id);
+      if (label.shown().empty()) label.id = item.place();
+      all.push_back({*curve, std::move(label)});
     }
   }
   return all;
-}
-
-std::string names_of(const std::vector<Candidate>& list) {
-  constexpr std::size_t most = 12;
-  std::vector<std::string> names;
-  for (const Candidate& candidate : list)
-    if (names.size() < most) names.push_back(abbreviated(candidate.shown()));
-  return fmt::format("{}{}", fmt::join(names, ", "),
-                     list.size() > most ? fmt::format(" and {} more", list.size() - most) : "");
-}
-
-const Candidate& chosen(const JsonNode& scene, const std::vector<Candidate>& all,
-                        const std::string& pick) {
-  if (all.empty())
-    scene.fail(
-        "there is no curve in the scene: no TubeGeometry, no ExtrudeGeometry along a path, "
-        "no shape");
-  std::vector<const Candidate*> found;
-  for (const Candidate& candidate : all)
-    if (pick.empty() || pick == candidate.name || pick == candidate.uuid)
-      found.push_back(&candidate);
-  if (found.empty())
-    scene.fail(
-        fmt::format("there is no curve \"{}\"; there are {}", abbreviated(pick), names_of(all)));
-  if (found.size() > 1 && pick.empty())
-    scene.fail(
-        fmt::format("there are {} curves, and --pick names one: {}", all.size(), names_of(all)));
-  if (found.size() > 1)
-    scene.fail(fmt::format("{} curves are called \"{}\": pick one by its uuid", found.size(),
-                           abbreviated(pick)));
-  return *found.front();
 }
 
 }  // namespace
@@ -108,14 +72,26 @@ bool is_three_scene(const JsonNode& node) {
   return metadata && metadata->is(Kind::object) && text_at(*metadata, "type") == "Object";
 }
 
-ThreeCurve read_three_scene(const JsonNode& node, const CurveLimits& limits,
+PointCurve read_three_scene(const JsonNode& node, const CurveLimits& limits,
                             const FileReading& reading) {
   const std::vector<Candidate> all = candidates(node);
-  const Candidate& found = chosen(node, all, reading.pick);
-  return {found.name.starts_with('/') ? "" : found.shown(),
+  if (all.empty())
+    node.fail(
+        "there is no curve in the scene: no TubeGeometry, no ExtrudeGeometry along a path, "
+        "no shape");
+  std::vector<CurveLabel> labels;
+  for (const Candidate& candidate : all) labels.push_back(candidate.label);
+  const Candidate& found = [&]() -> const Candidate& {
+    try {
+      return all[chosen_curve(labels, reading.pick)];
+    } catch (const InputError& error) {
+      node.fail(error.reason());
+    }
+  }();
+  return {found.label.name,
           read_three(found.curve, limits),
           {fmt::format("the curve is \"{}\", in the coordinates of its geometry",
-                       abbreviated(found.shown()))}};
+                       abbreviated(found.label.shown()))}};
 }
 
 }  // namespace phrame

@@ -1,17 +1,10 @@
 #pragma once
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/file_reading.hpp"
-#include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/point_curve.hpp"
 
 namespace phrame {
-
-/// A curve of a file that may have several.
-struct ThreeCurve {
-  std::string name;
-  std::vector<GivenSegment> segments;
-  std::vector<std::string> notes;
-};
 
 /// Is it what Object3D.toJSON() of three.js writes: an object with "metadata" of the type Object,
 /// or with "object" and "geometries" or "shapes"?
@@ -22,7 +15,7 @@ bool is_three_scene(const JsonNode& node);
 /// of the geometry, without the matrices of objects, which a note says. Throws InputError where
 /// there is none, where several are there and none is picked, with their names, and as
 /// read_three().
-ThreeCurve read_three_scene(const JsonNode& node, const CurveLimits& limits,
+PointCurve read_three_scene(const JsonNode& node, const CurveLimits& limits,
                             const FileReading& reading);
 
 }  // namespace phrame

@@ -67,7 +67,7 @@ TEST_CASE("three.js scene: of several curves one is picked, by its name or uuid"
   CHECK(read_any_path(text, {}, pipe).path == read_any_path(text, {}, a).path);
   CHECK(refusal(text, {false, "c"}) == "/: there is no curve \"c\"; there are pipe, b");
   CHECK(refusal(scene("," + tube("b", cubic) + "," + tube("b", line)), b) ==
-        "/: 2 curves are called \"b\": pick one by its uuid");
+        "/: 2 curves are called \"b\"");
 }
 
 TEST_CASE("three.js scene: one without curves is refused, and so is a choice where there is none") {
