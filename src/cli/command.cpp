@@ -28,7 +28,9 @@ auto read_by(Read read, const CurveOptions& options) {
 }
 
 NamedPath read_any(std::string_view text, const CurveOptions& options) {
-  return phrame::read_any_path(text, options.limits, options.reading);
+  CurveLimits limits = options.limits;
+  if (options.gap) limits.gap = parse_positive_option("--gap", *options.gap);
+  return phrame::read_any_path(text, limits, options.reading);
 }
 
 NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
@@ -146,6 +148,13 @@ void CurveOptions::add_to(Command& command) {
   command.add_option("--max-corner", "ANGLE", max_corner,
                      "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
   add_skip_invalid(command, reading);
+  command.add_choice("--kind", reading.kind,
+                     {"natural", "periodic", "polyline", "bezier", "bspline"},
+                     "what the points of a table are: of a natural (default) or periodic cubic\n"
+                     "spline or a polyline, or control points of a bezier curve or a bspline");
+  command.add_option("--gap", "EPS", gap,
+                     "close gaps between segments, and at the ends, of at most EPS (default: of\n"
+                     "what rounding leaves)");
   command.add_option("--pick", "NAME", reading.pick,
                      "of a file with several curves, the one of this name");
   command.add_output(output);
@@ -228,7 +237,10 @@ NamedPath CurveOptions::read_any_path() const {
 
 NamedPath CurveOptions::read_near_or_any() const {
   if (near) return read_path();
-  if (const NamedPath* named = given_path(path, reading)) return *named;
+  if (const NamedPath* named = given_path(path, reading)) {
+    if (gap) throw InputError("--gap", "is for files, not for a curve that was read before");
+    return *named;
+  }
   NamedPath read = read_by(read_any, *this);
   for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (read.path.is_ph()) return read;

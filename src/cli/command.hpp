@@ -30,11 +30,12 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
 void add_skip_invalid(Command& command, FileReading& reading);
 
 /// What the commands that read a curve or a spline share: CURVE, --near, --max-corner,
-/// --skip-invalid, --pick, --max-degree, -o.
+/// --skip-invalid, --kind, --gap, --pick, --max-degree, -o.
 struct CurveOptions {
   std::string path;
   std::optional<std::string> near;
   std::optional<std::string> max_corner;
+  std::optional<std::string> gap;
   CurveLimits limits;
   FileReading reading;
   std::string output = "-";

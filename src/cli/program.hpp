@@ -100,6 +100,8 @@ class Command {
 
   /// What the command does.
   void does(std::function<void()> action) { action_ = std::move(action); }
+  /// What it does, which keeps the variables of its options.
+  const std::function<void()>& action() const { return action_; }
   /// Does it. Throws InputError for an option that does not apply, and what the action throws.
   void run();
 

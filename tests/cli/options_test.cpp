@@ -120,9 +120,9 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{
-    "--max-degree",     "--max-corner", "--output",     "--threads",     "--skip-done",
-    "--help",           "--version",    "--route",      "--var",         "--full",
-    "--skip-undefined", "--near",       "--time-limit", "--skip-invalid"};
+    "--max-degree", "--max-corner",     "--gap",     "--output",     "--threads",
+    "--skip-done",  "--help",           "--version", "--route",      "--var",
+    "--full",       "--skip-undefined", "--near",    "--time-limit", "--skip-invalid"};
 
 /// All ways to give the options of a command, but the neutral ones.
 std::vector<Given> given(const Json& command) {

@@ -21,7 +21,7 @@ void add_totals_with_more(cli::Program& program) {
   command.add_choice("--ink-colour", *colour, {"red", "blue"}, "what the answer is written in");
   command.add_flag("--bright-ink", *is_bright, "more of it");
   command.not_with({"--bright-ink"}, {"--ink-colour blue"});
-  command.does([colour, is_bright] {
+  command.does([colour, is_bright, other_options = command.action()] {
     cli::write_output("-", Json{{"ink", *colour}, {"bright", *is_bright}}.dump());
   });
 }

@@ -62,9 +62,9 @@ GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& li
   return segments;
 }
 
-NamedPath path_of_points(PointCurve read) {
-  NamedPath path = path_of(read.name, std::move(read.segments));
-  path.notes = std::move(read.notes);
+NamedPath path_of_points(PointCurve read, const CurveLimits& limits) {
+  NamedPath path = path_of(read.name, std::move(read.segments), limits.gap);
+  path.notes.insert(path.notes.begin(), read.notes.begin(), read.notes.end());
   return path;
 }
 
@@ -75,19 +75,19 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
   reading.refuse_skipping("no table");
   if (is_three_scene(node)) {
     refuse_long_numbers(node);
-    return path_of_points(read_three_scene(node, limits, reading));
+    return path_of_points(read_three_scene(node, limits, reading), limits);
   }
   reading.refuse_picking("one curve");
   if (is_scipy_curve(node)) {
     refuse_long_numbers(node);
-    return path_of_points(read_scipy(node, limits));
+    return path_of_points(read_scipy(node, limits), limits);
   }
   if (is_geomdl_file(node) || is_three_file(node)) refuse_long_numbers(node);
   if (is_geomdl_file(node)) {
     const auto name = node.at("shape").find("name");
-    return path_of(name ? name->string() : "", read_geomdl(node, limits));
+    return path_of(name ? name->string() : "", read_geomdl(node, limits), limits.gap);
   }
-  if (is_three_file(node)) return path_of("", read_three(node, limits));
+  if (is_three_file(node)) return path_of("", read_three(node, limits), limits.gap);
   format_of(node);
   return read_any_path(node, limits);
 }
@@ -132,16 +132,17 @@ bool is_scipy_list(std::string_view text) {
 NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   const std::string format = format_at(node, "curve/1");
   refuse_long_numbers(node);
-  if (format == "spline/1") return path_of(read_name(node), read_spline_segments(node, limits));
+  if (format == "spline/1")
+    return path_of(read_name(node), read_spline_segments(node, limits), limits.gap);
   if (format == "bspline/1" || format == "nurbs/1")
-    return path_of(read_name(node), read_bspline(node, limits));
-  if (format == "points/1") return path_of_points(read_point_curve(node));
+    return path_of(read_name(node), read_bspline(node, limits), limits.gap);
+  if (format == "points/1") return path_of_points(read_point_curve(node), limits);
   if (format != "curve/1")
     node.at("phrame").fail(
         fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
                     "\"points/1\", not \"{}\"",
                     abbreviated(format)));
-  return path_of(read_name(node), {read_curve_segment(node, limits)});
+  return path_of(read_name(node), {read_curve_segment(node, limits)}, limits.gap);
 }
 
 NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
@@ -152,19 +153,19 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
   const bool is_path = is_path_data(text);
   if (is_godot_file(content)) {
     reading.refuse_skipping("a Bézier curve of Godot");
-    return path_of_points(read_godot(text, reading));
+    return path_of_points(read_godot(text, reading), limits);
   }
-  if (is_polyline_file(content)) return path_of_points(read_polyline(text, reading));
+  if (is_polyline_file(content)) return path_of_points(read_polyline(text, reading), limits);
   if (content.starts_with('[') && is_scipy_list(content))
     return read_json_path(text, limits, reading);
   if (content.starts_with('[') || NpyTable::is_one(text) || (!is_path && is_table(content))) {
     reading.refuse_picking("a table");
-    return path_of_points(read_point_table(text, limits, reading));
+    return path_of_points(read_point_table(text, limits, reading), limits);
   }
   if (content.starts_with('<') || is_path) {
     reading.refuse_skipping("an SVG path");
     reading.refuse_picking("an SVG path");
-    return path_of("", is_path ? read_path_data(text, 0, text.size()) : read_svg(text));
+    return path_of("", is_path ? read_path_data(text, 0, text.size()) : read_svg(text), limits.gap);
   }
   return read_json_path(text, limits, reading);  // which says what it begins with, if not JSON
 }

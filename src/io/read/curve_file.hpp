@@ -16,6 +16,8 @@ struct CurveLimits {
   /// What the caller calls the ε of read_path_near(), "--near". Where control points are refused
   /// that are near those of a PH curve, the message then says how near; that takes some time.
   std::string near_option = {};
+  /// Up to where gaps between segments are closed (close_gaps()).
+  std::optional<Rational> gap = {};
 };
 
 /// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions` or `hopf`, with `basis`

@@ -12,14 +12,16 @@ struct FileReading {
   /// Of a file with several curves, the one of this name; where it is empty, a file with several is
   /// refused with the list of their names.
   std::string pick = {};
+  /// Of tables and lists of points what they are: natural, periodic, polyline, bezier or bspline.
+  std::string kind = {};
   bool skips_where_possible = false;  ///< files without such rows are not refused then
 
   /// Is nothing asked?
-  bool is_plain() const { return !skips_invalid && pick.empty(); }
-  /// Throws InputError, without a place, for what means nothing in a file of this `kind`, "an SVG
+  bool is_plain() const { return !skips_invalid && pick.empty() && kind.empty(); }
+  /// Throws InputError, without a place, for what means nothing in a file that is this, "an SVG
   /// file", whose points or curves it is not about.
-  void refuse_skipping(std::string_view kind) const;
-  void refuse_picking(std::string_view kind) const;
+  void refuse_skipping(std::string_view what) const;
+  void refuse_picking(std::string_view what) const;
 };
 
 }  // namespace phrame

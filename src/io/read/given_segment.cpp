@@ -1,6 +1,7 @@
 #include "phrame/io/read/given_segment.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/joints.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
@@ -56,7 +57,9 @@ Vector<Rational> end_point(const GivenSegment& segment) {
   return result;
 }
 
-NamedPath path_of(std::string name, std::vector<GivenSegment> segments) {
+NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
+                  const std::optional<Rational>& gap) {
+  const std::string closed = close_gaps(segments, gap);
   Path path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) {
     try {
@@ -65,7 +68,9 @@ NamedPath path_of(std::string name, std::vector<GivenSegment> segments) {
       fail_at(segments[k], error.what());
     }
   }
-  return {std::move(name), std::move(path)};
+  NamedPath named(std::move(name), std::move(path));
+  if (!closed.empty()) named.notes.push_back(closed);
+  return named;
 }
 
 }  // namespace phrame

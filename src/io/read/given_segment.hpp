@@ -32,8 +32,10 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment);
 Vector<Rational> end_point(const GivenSegment& segment);
 
 /// Of segments, at least one, the path: that of PH curves where all of them are; of others those
-/// that are PH are known to be. They are identified where they are polynomial. Throws InputError at
-/// the segment that does not go on where the one before ends, or with another tangent.
-NamedPath path_of(std::string name, std::vector<GivenSegment> segments);
+/// that are PH are known to be. They are identified where they are polynomial. Gaps are closed as
+/// close_gaps() does, which a note says. Throws InputError at the segment that does not go on where
+/// the one before ends, or turns back there.
+NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
+                  const std::optional<Rational>& gap = {});
 
 }  // namespace phrame

@@ -16,6 +16,7 @@
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/gap.hpp"
 
 namespace phrame {
 namespace {
@@ -104,6 +105,18 @@ std::vector<GivenSegment> spline_segments(const CubicInterpolation& data, const 
   return segments_of(data, derivatives, place_of_point);
 }
 
+/// The lines from point to point.
+std::vector<GivenSegment> polyline(const GivenPoints& given, const std::string& place,
+                                   const PointPlace& place_of_point) {
+  if (!given.derivatives.empty() || !given.parameters.empty())
+    throw InputError(place, "the points of a polyline have neither derivatives nor parameters");
+  std::vector<GivenSegment> lines;
+  for (std::size_t k = 0; k + 1 < given.points.size(); ++k)
+    lines.push_back(bezier_segment({{given.points[k], given.points[k + 1]}, {}},
+                                   place_of_point(k + 1), "the line to this point"));
+  return lines;
+}
+
 /// The C¹ spline with the derivatives given.
 std::vector<GivenSegment> hermite_segments(const GivenPoints& given, const Settings& settings,
                                            const std::string& place,
@@ -178,7 +191,7 @@ std::vector<Rational> read_weights(const NumberTable& table) {
   return weights;
 }
 
-enum class TableKind { natural, periodic, bezier, bspline };
+enum class TableKind { natural, periodic, polyline, bezier, bspline };
 
 long read_degree(const Settings& settings, TableKind kind, std::size_t count,
                  const CurveLimits& limits) {
@@ -226,6 +239,8 @@ void fit_parameter_column(GivenPoints& given, const Settings& settings, TableKin
   if (given.parameter_column.empty()) return;
   if (kind == TableKind::bezier || kind == TableKind::bspline)
     leave_parameters_out(given, "control points have no parameters");
+  else if (kind == TableKind::polyline)
+    leave_parameters_out(given, "a polyline has no parameters");
   else if (settings.count("spacing") > 0)
     leave_parameters_out(given, "the spacing is given");
   else if (kind == TableKind::periodic && given.points.front() != given.points.back())
@@ -261,6 +276,11 @@ PointCurve table_curve(const NumberTable& table, const GivenPoints& given, const
     throw InputError(place(0),
                      "weights, a column w, are those of control points: \"# kind: bezier\", or "
                      "bspline, says that the points are that");
+  if (kind == TableKind::polyline) {
+    refuse_setting(settings, "degree", "a polyline has the degree 1");
+    refuse_setting(settings, "spacing", "a polyline has no parameters");
+    return {"", polyline(given, place(0), place)};
+  }
   refuse_setting(settings, "degree", "a cubic spline through points has the degree 3");
   if (!given.derivatives.empty()) return {"", hermite_segments(given, settings, place(0), place)};
   const SplineEnds ends = kind == TableKind::periodic ? SplineEnds::periodic : SplineEnds::natural;
@@ -272,8 +292,10 @@ PointCurve table_curve(const NumberTable& table, GivenPoints given, const Settin
   const auto kind = chosen<TableKind>(settings, "kind",
                                       {{"natural", TableKind::natural},
                                        {"periodic", TableKind::periodic},
+                                       {"polyline", TableKind::polyline},
                                        {"bezier", TableKind::bezier},
                                        {"bspline", TableKind::bspline}});
+  if (kind == TableKind::periodic) close_to_rounding(given.points);
   fit_parameter_column(given, settings, kind);
   PointCurve result = table_curve(table, given, settings, kind, limits);
   std::erase_if(given.skipped_columns, [](const auto& name) { return lower_case(name) == "w"; });
@@ -287,17 +309,24 @@ PointCurve read_point_curve(const JsonNode& node) {
   node.require_known_keys({"phrame", "name", "points", "derivatives", "tangents", "accelerations",
                            "parameters", "kind", "spacing", "start_derivative", "end_derivative",
                            "note"});
-  const GivenPoints given = read_points(node);
+  GivenPoints given = read_points(node);
   refuse_other_data(given, node.place());
+  if (const auto kind = node.find("kind"); kind && kind->string() == "periodic")
+    close_to_rounding(given.points);
   Settings settings;
   for (const char* key : {"kind", "spacing"})
     if (const auto found = node.find(key)) settings[key] = {found->string(), found->place()};
   const std::string place = node.at("points").place();
   const PointPlace place_of_point = [&](std::size_t k) { return fmt::format("{}/{}", place, k); };
+  if (settings.count("kind") > 0 && settings.at("kind").text == "polyline") {
+    refuse_setting(settings, "spacing", "a polyline has no parameters");
+    return {given.name, polyline(given, place, place_of_point)};
+  }
   const auto ends = chosen<SplineEnds>(settings, "kind",
                                        {{"natural", SplineEnds::natural},
                                         {"clamped", SplineEnds::clamped},
-                                        {"periodic", SplineEnds::periodic}});
+                                        {"periodic", SplineEnds::periodic},
+                                        {"polyline", SplineEnds::natural}});
   const auto start = node.find("start_derivative");
   const auto end = node.find("end_derivative");
   for (const auto& derivative : {start, end})
@@ -322,7 +351,8 @@ PointCurve read_point_curve(const JsonNode& node) {
 PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
                             const FileReading& reading) {
   const bool has_comments = !NpyTable::is_one(bytes) && !trimmed(bytes).starts_with('[');
-  const Settings settings = has_comments ? read_comments(bytes) : Settings();
+  Settings settings = has_comments ? read_comments(bytes) : Settings();
+  if (!reading.kind.empty()) settings = {{"kind", {reading.kind, "--kind"}}};
   PointTable read = read_points_of_table(bytes, reading);
   return table_curve(*read.table, std::move(read.given), settings, limits);
 }
@@ -331,10 +361,13 @@ PointCurve spline_through(std::unique_ptr<NumberTable> table, bool of_a_loop,
                           const FileReading& reading) {
   Settings settings;
   if (of_a_loop) settings["kind"] = {"periodic", ""};
+  if (!reading.kind.empty()) settings = {{"kind", {reading.kind, "--kind"}}};
   PointTable read = read_point_rows(std::move(table), reading);
   PointCurve curve = table_curve(*read.table, std::move(read.given), settings, {});
-  curve.notes.emplace_back(of_a_loop ? "the curve is the periodic cubic spline through the points"
-                                     : "the curve is the natural cubic spline through the points");
+  if (reading.kind.empty())
+    curve.notes.emplace_back(of_a_loop
+                                 ? "the curve is the periodic cubic spline through the points"
+                                 : "the curve is the natural cubic spline through the points");
   return curve;
 }
 

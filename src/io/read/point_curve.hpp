@@ -21,13 +21,15 @@ struct PointCurve {
 /// cubic spline of "kind" natural, clamped (with "start_derivative" and "end_derivative") or
 /// periodic, natural where it is not said, with the "parameters" given, or of "spacing" uniform,
 /// chord-length or centripetal, chord-length where it is not said
-/// (ph/construct/cubic_interpolation.hpp).
+/// (ph/construct/cubic_interpolation.hpp). The kind polyline has the lines from point to point. A
+/// last point that is the first one but for rounding is that one where the kind is periodic.
 PointCurve read_point_curve(const JsonNode& node);
 
 /// The same of a table (read_points). In comments of a text, "# kind:
-/// periodic", may be kind, not clamped, and spacing. With the kind bezier or bspline the points are
-/// control points, with weights where there is a column w: of one Bézier curve, or of a B-spline
-/// with clamped uniform knots, of degree 3 unless "# degree: 4".
+/// periodic", may be kind, not clamped, and spacing; what the reading asks for comes first. With
+/// the kind bezier or bspline the points are control points, with weights where there is a column
+/// w: of one Bézier curve, or of a B-spline with clamped uniform knots, of degree 3 unless "#
+/// degree: 4".
 PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
                             const FileReading& reading = {});
 

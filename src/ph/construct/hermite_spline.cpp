@@ -10,6 +10,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/spline_slopes.hpp"
+#include "phrame/ph/curve/gap.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
 namespace phrame {
@@ -144,6 +145,8 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
   HermiteSpline data{given.points, given.derivatives, given.parameters, is_closed,
                      given.accelerations};
   std::vector<Vector<Rational>> tangents = given.tangents;
+  if (is_closed && close_to_rounding(data.points))
+    for (auto* list : {&data.derivatives, &data.accelerations, &tangents}) close_to_rounding(*list);
   if (is_closed && data.points.front() != data.points.back()) {
     close(data.points);
     close(data.derivatives);

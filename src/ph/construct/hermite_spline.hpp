@@ -35,7 +35,7 @@ ParameterSource parameter_source(const GivenPoints& given);
 /// both sides; else the derivatives of the C² cubic spline, natural or periodic, rounded to 40
 /// bits. Parameters as they are; else 0, 1, 2, … where derivatives are given, and sums of chord
 /// lengths, rounded to 12 bits each, where they are not. A closed spline ends at its first point,
-/// which is appended unless it is given at the end.
+/// which is appended unless it is given at the end, perhaps rounded (close_to_rounding()).
 /// Throws DomainError where two successive points are equal and their distance is needed, and where
 /// a closed spline does not end with the first derivative.
 HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);

@@ -181,7 +181,7 @@ TEST_CASE("tables of control points") {
   CHECK(refusal("# kind: bspline\n# degree: 3\n0 0\n1 0\n1 1\n") ==
         "line 2: the degree 3 is no whole number from 1 to 2, one less than there are points");
   CHECK(refusal("# kind: loop\n0 0\n1 0\n") ==
-        "line 1: the kind is one of natural, periodic, bezier, bspline, not \"loop\"");
+        "line 1: the kind is one of natural, periodic, polyline, bezier, bspline, not \"loop\"");
 }
 
 TEST_CASE("what is wrong is refused at its place, in one line") {

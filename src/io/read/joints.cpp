@@ -1,0 +1,105 @@
+#include "phrame/io/read/joints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/gap.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+/// No value of formulas.
+std::optional<Vector<Rational>> place_at(const GivenSegment& segment, const Rational& t) {
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) return evaluate(position(*curve), t);
+  if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return point(*curve, t);
+  return std::nullopt;
+}
+
+/// The curve moved by `way`, times a polynomial of t.
+RationalCurve moved(const RationalCurve& curve, const Vector<Rational>& way,
+                    const Polynomial& share) {
+  Vector<Polynomial> numerator = curve.numerator();
+  for (std::size_t k = 0; k < 3; ++k) numerator[k] += way[k] * share * curve.weight();
+  return RationalCurve(numerator, curve.weight());
+}
+
+/// The gaps of a list of segments, while they are closed.
+class Gaps {
+ public:
+  Gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most)
+      : segments_(segments) {
+    for (const GivenSegment& segment : segments)
+      for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)})
+        if (const auto place = place_at(segment, t)) places_.push_back(*place);
+    most_ = most ? *most : rounding_gap(places_);
+  }
+
+  void close_joints() {
+    for (std::size_t k = 1; k < segments_.size(); ++k) {
+      const auto way = way_between(segments_[k - 1], segments_[k]);
+      if (!way) continue;
+      if (auto* ph = std::get_if<Curve>(&segments_[k].form))
+        *ph = Curve(ph->preimage(), ph->multiplier(), ph->start() - *way);
+      else
+        move(segments_[k], Rational(-1) * *way, {1, -1});
+    }
+  }
+  void close_ends() {
+    if (std::holds_alternative<Curve>(segments_.back().form) || !is_long()) return;
+    if (const auto way = way_between(segments_.back(), segments_.front()))
+      move(segments_.back(), *way, {0, 1});
+  }
+  std::size_t count() const { return count_; }
+  const Rational& greatest() const { return greatest_; }  ///< squared
+
+ private:
+  /// From the end of one to the start of the other, where that is to be closed.
+  std::optional<Vector<Rational>> way_between(const GivenSegment& before,
+                                              const GivenSegment& after) {
+    const auto end = place_at(before, 1);
+    const auto start = place_at(after, 0);
+    if (!end || !start || *end == *start || !are_within(most_, *end, *start)) return std::nullopt;
+    const Vector<Rational> way = *start - *end;
+    ++count_;
+    greatest_ = std::max(greatest_, dot(way, way));
+    return way;
+  }
+  void move(GivenSegment& segment, const Vector<Rational>& way, const Polynomial& share) {
+    try {
+      segment.form = moved(std::get<RationalCurve>(segment.form), way, share);
+    } catch (const DomainError& error) {
+      fail_at(segment, error.what());
+    }
+  }
+  bool is_long() const {
+    return std::any_of(places_.begin(), places_.end(), [&](const Vector<Rational>& place) {
+      return !are_within(1024 * most_, places_.front(), place);
+    });
+  }
+
+  std::vector<GivenSegment>& segments_;
+  std::vector<Vector<Rational>> places_{};
+  Rational most_{};
+  std::size_t count_ = 0;
+  Rational greatest_{};
+};
+
+}  // namespace
+
+std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most) {
+  Gaps gaps(segments, most);
+  gaps.close_joints();
+  gaps.close_ends();
+  if (gaps.count() == 0) return "";
+  const Real size = square_root_of(gaps.greatest());
+  return fmt::format("{} of at most {} closed, by moving a point",
+                     gaps.count() == 1 ? "a gap" : fmt::format("{} gaps", gaps.count()),
+                     upper_bound_text(size.enclose(64).upper()));
+}
+
+}  // namespace phrame
