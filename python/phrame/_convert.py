@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import operator
 from fractions import Fraction
 from typing import Any
@@ -159,3 +160,34 @@ def sympy_integral(f: Any, lower: Any, upper: Any, style: str) -> Any:
         low, high = (sympy.Rational(sign * end.is_infinite, c) for sign, end in ((-1, lower), (1, upper)))
         total += between(_reciprocal(f), low, high)
     return sympy.re(total) if total.has(sympy.RootSum, sympy.I) else total
+
+
+def _exact(x: Any) -> Any:
+    """Numbers as text that has all of them, whatever lists or arrays they are in."""
+    if hasattr(x, "tolist"):
+        x = x.tolist()
+    if isinstance(x, (list, tuple)):
+        return [_exact(item) for item in x]
+    if isinstance(x, bool) or not hasattr(x, "__float__"):
+        raise TypeError(f"curve: numbers are wanted in it, not {type(x).__name__}")
+    return str(x) if isinstance(x, int) else float(x).hex()
+
+
+def scipy_text(curve: Any) -> str:
+    """The JSON of a curve of scipy.interpolate, or of what has the same attributes."""
+    if isinstance(curve, (list, tuple)):
+        if len(curve) == 2 and isinstance(curve[0], (list, tuple)):  # (tck, u)
+            curve = curve[0]
+        if len(curve) == 3:
+            t, c, k = curve
+            return json.dumps([_exact(t), _exact(c), operator.index(k)])
+    elif any(base.__name__ == "BPoly" for base in type(curve).__mro__):
+        raise TypeError("curve: a BPoly is not read; PPoly.from_bernstein_basis(curve) is")
+    elif all(hasattr(curve, name) for name in ("t", "c", "k")):
+        return json.dumps({"t": _exact(curve.t), "c": _exact(curve.c), "k": operator.index(curve.k)})
+    elif all(hasattr(curve, name) for name in ("c", "x")):
+        return json.dumps({"c": _exact(curve.c), "x": _exact(curve.x)})
+    raise TypeError(
+        "curve: an object with t, c and k or with c and x is wanted, or (t, c, k), not "
+        f"{type(curve).__name__}"
+    )

@@ -231,8 +231,10 @@ nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, n
   return constructed(given, query);
 }
 
-nb::object parsed(const std::string& bytes, nb::handle near) {
+nb::object parsed(const std::string& bytes, nb::handle near, const FileReading& reading = {}) {
   if (!near.is_none()) {
+    if (!reading.is_plain())
+      refuse("near", "skip_invalid and pick are not for curves that are near others", near);
     const Rational epsilon = rational(near, "near");
     if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
     auto found = without_gil([=] { return read_path_near(bytes, epsilon); });
@@ -240,22 +242,41 @@ nb::object parsed(const std::string& bytes, nb::handle near) {
       refuse("near", to_line(*none, epsilon), near);
     return wrap(std::get<NamedPhPath>(found));
   }
-  NamedPath read = without_gil([bytes] { return read_any_path(bytes); });
+  NamedPath read = [&] {
+    try {
+      return without_gil([bytes, reading] { return read_any_path(bytes, {}, reading); });
+    } catch (const InputError& error) {
+      if (error.place() == "--skip-invalid")
+        refuse("skip_invalid", error.reason(), nb::bool_(reading.skips_invalid));
+      if (error.place() == "--pick") refuse("pick", error.reason(), nb::cast(reading.pick));
+      throw;
+    }
+  }();
   for (const std::string& note : read.notes)
     if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw nb::python_error();
   return wrap(std::move(read));
 }
 
-nb::object parse(nb::handle text, nb::handle near) {
+nb::object parse(nb::handle text, nb::handle near, Flag<"skip_invalid"> skip_invalid,
+                 const Text<"pick">& pick) {
+  const FileReading reading{skip_invalid, pick};
   if (PyBytes_Check(text.ptr()) != 0)
     return parsed(
-        {PyBytes_AsString(text.ptr()), static_cast<std::size_t>(PyBytes_Size(text.ptr()))}, near);
+        {PyBytes_AsString(text.ptr()), static_cast<std::size_t>(PyBytes_Size(text.ptr()))}, near,
+        reading);
   if (PyUnicode_Check(text.ptr()) == 0) refuse_type("text", "a str or bytes", text);
-  return parsed(python::text(text, "text"), near);
+  return parsed(python::text(text, "text"), near, reading);
 }
 
-nb::object read(nb::handle file, nb::handle near) {
-  return parsed(bytes_of_file(file, "file"), near);
+nb::object read(nb::handle file, nb::handle near, Flag<"skip_invalid"> skip_invalid,
+                const Text<"pick">& pick) {
+  return parsed(bytes_of_file(file, "file"), near, {skip_invalid, pick});
+}
+
+/// Of the doubles that the object has.
+nb::object from_scipy(nb::handle curve) {
+  const nb::object text = imported("phrame._convert", "scipy_text")(curve);
+  return parsed(python::text(text, "curve"), nb::none());
 }
 
 /// Paths one after the other.
@@ -367,17 +388,27 @@ void bind_constructors(nb::module_& m, PathClass& path) {
                   "= False, kind: str = 'quintic', exact: bool = False, " PHRAME_CHOICE_SIG
                   ", name: str = '') -> Path"),
           "A spline of exact PH curves through points: docs/construct.md names the kinds.")
-#define PHRAME_READ_SIG ", near: Number | None = None) -> Path"
-      .def_static("read", read, argument("file"), argument("near") = nb::none(),
+#define PHRAME_READ_SIG \
+  ", near: Number | None = None, *, skip_invalid: bool = False, pick: str = '') -> Path"
+#define PHRAME_READ_PARAMETERS                                                    \
+  argument("near") = nb::none(), nb::kw_only(), argument("skip_invalid") = false, \
+  argument("pick") = ""
+      .def_static("read", read, argument("file"), PHRAME_READ_PARAMETERS,
                   nb::sig("def read(file: str | os.PathLike[str]" PHRAME_READ_SIG),
                   "The path that a file of any format has (docs/curve-files.md). With `near`, "
-                  "control points that are not PH are replaced by some at most so far away.")
-      .def_static("from_json", parse, argument("text"), argument("near") = nb::none(),
+                  "control points that are not PH are replaced by some at most so far away; "
+                  "`skip_invalid` leaves out rows of tables that miss a number or repeat a point, "
+                  "and `pick` names one of several curves.")
+      .def_static("from_json", parse, argument("text"), PHRAME_READ_PARAMETERS,
                   nb::sig("def from_json(text: str | bytes" PHRAME_READ_SIG),
-                  "The same of what such a file has in it.");
-  m.def("read", read, argument("file"), argument("near") = nb::none(),
+                  "The same of what such a file has in it.")
+      .def_static("from_scipy", from_scipy, argument("curve"),
+                  nb::sig("def from_scipy(curve: object) -> Path"),
+                  "The curve of an object of scipy.interpolate with t, c and k (BSpline) or with c "
+                  "and x (PPoly, CubicSpline), or of the list (t, c, k) of splprep, exactly.");
+  m.def("read", read, argument("file"), PHRAME_READ_PARAMETERS,
         nb::sig("def read(file: str | os.PathLike[str]" PHRAME_READ_SIG), "Path.read.");
-  m.def("parse", parse, argument("text"), argument("near") = nb::none(),
+  m.def("parse", parse, argument("text"), PHRAME_READ_PARAMETERS,
         nb::sig("def parse(text: str | bytes" PHRAME_READ_SIG), "Path.from_json.");
 }
 

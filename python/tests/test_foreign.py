@@ -428,3 +428,37 @@ def test_tensors_of_packages(package):
         make = {"torch": "tensor", "jax.numpy": "array", "tensorflow": "constant"}.get(package)
         given = np.array(ts).astype(kind) if make is None else getattr(module, make)(ts, dtype=kind)
         assert (QUINTIC.points(given) == QUINTIC.points(ts)).all()
+
+
+def test_curves_of_scipy_are_taken_exactly():
+    """By their attributes: a B-spline with two spans, the same by its pieces, and as splprep has it."""
+    from types import SimpleNamespace
+
+    t, c = np.array([0, 0, 0, 0.1, 1, 1, 1]), np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 2.0]])
+    spline = phrame.Path.from_scipy(SimpleNamespace(t=t, c=c, k=2))
+    assert len(spline.segments) == 2
+    # At the knot it is between the two points in the middle, in the ratio 1/10 of the double 0.1.
+    ratio = Fraction(0.1)
+    assert spline.segments[0].point(1) == (1, ratio, 0)
+    assert phrame.Path.from_scipy((t, c.T, 2)) == spline
+    assert phrame.Path.from_scipy(([t, list(c.T), 2], np.zeros(4))) == spline
+    line = phrame.Path.from_scipy(SimpleNamespace(c=np.array([[[1.0, 2, 2]], [[0, 0, 0]]]), x=[0, 3]))
+    assert line.length == 9
+    with pytest.raises(TypeError, match="t, c and k or with c and x"):
+        phrame.Path.from_scipy(3)
+    with pytest.raises(TypeError, match="a BPoly is not read"):
+        phrame.Path.from_scipy(type("BPoly", (), {"c": c, "x": t})())
+    with pytest.raises(phrame.InputError):
+        phrame.Path.from_scipy((t, c.T, 9))
+
+
+def test_rows_without_numbers_are_skipped_and_curves_picked_on_request():
+    text = "x,y\n0,0\n,\n1,2\n"
+    with pytest.raises(phrame.InputError, match="line 3, x: the field is empty"):
+        phrame.parse(text)
+    with pytest.warns(UserWarning, match="left out is 1 row"):
+        path = phrame.parse(text, skip_invalid=True)
+    assert path.end == 1
+    with pytest.warns(UserWarning, match="natural cubic spline"):
+        picked = phrame.parse("v 0 0 0\nv 1 2 3\nv 5 5 5\no a\nl 1 2\no b\nl 2 3\n", pick="b")
+    assert picked.name == "b"

@@ -8,15 +8,17 @@ namespace phrame {
 
 void FileReading::refuse_skipping(std::string_view what) const {
   if (skips_invalid && !skips_where_possible)
-    throw InputError(fmt::format("--skip-invalid is for rows of points, and this is {}", what));
+    throw InputError("--skip-invalid",
+                     fmt::format("it is for rows of points, and this is {}", what));
   if (!kind.empty())
-    throw InputError(fmt::format("--kind is for tables of points, and this is {}", what));
+    throw InputError("--kind", fmt::format("it is for tables of points, and this is {}", what));
 }
 
 void FileReading::refuse_picking(std::string_view what) const {
   if (!pick.empty())
     throw InputError(
-        fmt::format("--pick is for files of several curves that have names, and this is {}", what));
+        "--pick",
+        fmt::format("it is for files of several curves that have names, and this is {}", what));
 }
 
 }  // namespace phrame

@@ -18,8 +18,8 @@ struct FileReading {
 
   /// Is nothing asked?
   bool is_plain() const { return !skips_invalid && pick.empty() && kind.empty(); }
-  /// Throws InputError, without a place, for what means nothing in a file that is this, "an SVG
-  /// file", whose points or curves it is not about.
+  /// Throws InputError, its place the option of the program, for what means nothing in a file that
+  /// is this, "an SVG file", whose points or curves it is not about.
   void refuse_skipping(std::string_view what) const;
   void refuse_picking(std::string_view what) const;
 };

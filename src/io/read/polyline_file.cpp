@@ -220,11 +220,15 @@ struct Chain {
 
 /// Those that the edges make.
 std::vector<Chain> chains_of(const Graph& graph) {
-  std::map<std::size_t, std::vector<std::size_t>> edges_at;
+  // Those of an object at a vertex: objects may share their ends.
+  std::map<std::pair<std::string_view, std::size_t>, std::vector<std::size_t>> all;
+  const auto edges_at = [&](std::size_t edge, std::size_t v) -> std::vector<std::size_t>& {
+    return all[{graph.edges[edge].name, v}];
+  };
   for (std::size_t k = 0; k < graph.edges.size(); ++k)
     for (const std::size_t v : {graph.edges[k].from, graph.edges[k].to}) {
-      edges_at[v].push_back(k);
-      if (edges_at[v].size() > 2)
+      edges_at(k, v).push_back(k);
+      if (edges_at(k, v).size() > 2)
         throw InputError(fmt::format("line {}", graph.edges[k].line),
                          fmt::format("three lines meet in vertex {}: this is no curve", v + 1));
     }
@@ -238,7 +242,7 @@ std::vector<Chain> chains_of(const Graph& graph) {
       const auto& [a, b, name, line] = graph.edges[next];
       chain.vertices.push_back(chain.vertices.back() == a ? b : a);
       next = none;
-      for (const std::size_t k : edges_at[chain.vertices.back()])
+      for (const std::size_t k : edges_at(edge, chain.vertices.back()))
         if (!is_used[k]) next = k;
     }
     chains.push_back(std::move(chain));
@@ -246,7 +250,7 @@ std::vector<Chain> chains_of(const Graph& graph) {
   for (const bool is_loop : {false, true})  // ends first: what is left has none
     for (std::size_t k = 0; k < graph.edges.size(); ++k)
       for (const std::size_t v : {graph.edges[k].from, graph.edges[k].to})
-        if (!is_used[k] && (is_loop || edges_at[v].size() == 1)) walk(v, k);
+        if (!is_used[k] && (is_loop || edges_at(k, v).size() == 1)) walk(v, k);
   return chains;
 }
 

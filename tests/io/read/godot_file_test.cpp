@@ -36,7 +36,8 @@ const std::string other =
 
 }  // namespace
 
-// The second piece has the control points (5, 6, 12), (9, 5, 15), (12, 3, 15), (12, 3, 20); by hand.
+// The second piece has the control points (5, 6, 12), (9, 5, 15), (12, 3, 15), (12, 3, 20); by
+// hand.
 TEST_CASE("Godot: a Curve3D is the Bézier curves between its points") {
   const NamedPath named = read_any_path(test::read_data("curve3d.tres"));
   REQUIRE(named.path.segments().size() == 2);

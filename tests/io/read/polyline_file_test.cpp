@@ -61,6 +61,8 @@ TEST_CASE("polyline: of several one is picked, by the name of its object") {
   CHECK(read_any_path(text, {}, {false, "right"}).path ==
         read_any_path("20 0.5 4.75\n31 -3.5 5.5\n").path);
   CHECK(read_any_path(text, {}, {false, "#1"}).name == "left");
+  CHECK(refusal(vertices + "o left\nl 1 2\no right\nl 2 3\n") ==
+        "there are 2 curves, and --pick names one: left, right");
   CHECK(refusal(vertices + "o a\nl 1 2\nl 3 4\n") ==
         "there are 2 curves, and --pick names one: a#1, a#2");
 }

@@ -75,8 +75,9 @@ TEST_CASE("three.js scene: one without curves is refused, and so is a choice whe
         "/: there is no curve in the scene: no TubeGeometry, no ExtrudeGeometry along a path, no "
         "shape");
   CHECK(refusal(cubic, {false, "b"}) ==
-        "--pick is for files of several curves that have names, and this is one curve");
-  CHECK(refusal(cubic, {true, ""}) == "--skip-invalid is for rows of points, and this is no table");
+        "--pick: it is for files of several curves that have names, and this is one curve");
+  CHECK(refusal(cubic, {true, ""}) ==
+        "--skip-invalid: it is for rows of points, and this is no table");
   CHECK(refusal("x,y\n0,0\n1,1\n", {false, "b"}).ends_with("and this is a table"));
   CHECK(refusal("M0 0L1 1", {true, ""}).ends_with("and this is an SVG path"));
 }
