@@ -59,11 +59,11 @@ bool lacks_parameters(const GivenTable& table, const Path& path) {
 GivenTable read_on(const Path& path, const std::string& bytes, const std::string& file,
                    FrameReading& reading) {
   GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
-  for (const std::string& text : table.notes) note(fmt::format("{}: {}", file, text));
+  for (const std::string& text : table.notes) note_at_end(fmt::format("{}: {}", file, text));
   if (!lacks_parameters(table, path)) return table;
   FrameParameters found =
       at_place(file, ":", [&] { return frame_parameters(path, table.positions); });
-  note(fmt::format("{}: t is taken from the positions: {}", file, found.what));
+  note_at_end(fmt::format("{}: t is taken from the positions: {}", file, found.what));
   reading.parameters = std::move(found.t);
   return read_frames(bytes, reading);
 }

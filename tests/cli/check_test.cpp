@@ -29,6 +29,28 @@ TEST_CASE("check: the program's own frames pass, others are told what they are")
   CHECK(contains(here.run("check quintic.json frenet.csv").out, "  - these are Frenet frames"));
 }
 
+// Half a circle at 0, 1/2 and 1, by hand: the axes of the body are e1, f2, f3 or, of a camera,
+// which looks along its z axis, f2, f3, e1.
+TEST_CASE("check: matrices are placed by their positions, and another tangent axis is found") {
+  const Workshop here;
+  here.write("circle.json", R"json({"phrame": "curve/1", "expressions": {"x": "cos(s)",
+      "y": "sin(s)", "z": "0"}, "from": 0, "to": "pi"})json");
+  here.write("poses.txt",
+             "0 -1 0 1 1 0 0 0 0 0 1 0\n-1 0 0 0 0 -1 0 1 0 0 1 0\n0 1 0 -1 -1 0 0 0 0 0 1 0\n");
+  const Run pass = here.run("check circle.json poses.txt");
+  CHECK(pass.status == 0);
+  CHECK(contains(pass.err, "12 columns without names are taken for 3 × 4 matrices, row by row"));
+  CHECK(contains(pass.err, "t is taken from the positions: equal steps"));
+  here.write("camera.txt",
+             "-1 0 0 1 0 0 1 0 0 1 0 0\n0 0 -1 0 -1 0 0 1 0 1 0 0\n1 0 0 -1 0 0 -1 0 0 1 0 0\n");
+  const Run other = here.run("check circle.json camera.txt");
+  CHECK(other.status == 1);
+  CHECK(contains(other.out, "It passes by another reading of the table: --tangent-axis z."));
+  CHECK(here.run("check circle.json camera.txt --tangent-axis z").status == 0);
+  here.write("away.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 5 0 0 1 0\n");
+  check_failure(here.run("check circle.json away.txt"), 2, "a column t is wanted");
+}
+
 TEST_CASE("check: bad input is refused with its place") {
   const Workshop here;
   here.write("bad.csv", "t,f2x,f2y,f2z\n0,1,zero,0\n");

@@ -35,6 +35,7 @@ TEST_CASE("JSON table: lists of numbers are rows without names, matrices row by 
   const JsonTable matrices = table("[[[1, 2], [3, 4]]]");
   CHECK(matrices.columns() == 4);
   CHECK(matrices.number(0, 2) == 3);
+  CHECK(matrices.number(0, 3) == 4);
 }
 
 TEST_CASE("JSON table: objects are rows whose keys are the names") {
