@@ -16,12 +16,26 @@ Polynomial Bivariate::coefficient(long k) const {
   return k <= degree() ? coefficients_[static_cast<std::size_t>(k)] : Polynomial();
 }
 
-Bivariate monic_from_rows(const std::vector<Rational>& list, long size) {
+std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size) {
   std::vector<Polynomial> rows;
   for (auto at = list.begin(); at != list.end(); at += size)
     rows.emplace_back(std::vector(at, at + size));
-  rows.push_back(Polynomial{1});
+  return rows;
+}
+
+Bivariate primitive_part(const Bivariate& v) {
+  const bool is_positive = v.coefficient(v.degree()).leading_coefficient() > 0;
+  const Rational content = (is_positive ? 1 : -1) * common_content(v.coefficients());
+  std::vector<Polynomial> rows;
+  for (const Polynomial& row : v.coefficients()) rows.push_back((1 / content) * row);
   return Bivariate(std::move(rows));
+}
+
+std::vector<IntegerPolynomial> integer_rows(const Bivariate& v) {
+  const Bivariate primitive = primitive_part(v);
+  std::vector<IntegerPolynomial> rows;
+  for (const Polynomial& row : primitive.coefficients()) rows.push_back(integer_numerator(row));
+  return rows;
 }
 
 Polynomial evaluate_at(const Bivariate& v, const Rational& t) {

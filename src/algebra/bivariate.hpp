@@ -23,9 +23,13 @@ class Bivariate {
   std::vector<Polynomial> coefficients_;  ///< the last one is not 0
 };
 
-/// tᵏ + … whose coefficients of t⁰, …, tᵏ⁻¹ are the rows of the list, `size` ≥ 1 numbers each,
-/// which divides the length of the list.
-Bivariate monic_from_rows(const std::vector<Rational>& list, long size);
+/// One polynomial from each `size` ≥ 1 numbers of the list, of which it divides the length.
+std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size);
+
+/// v ≠ 0 over its content: coprime integers, the leading one of the leading coefficient > 0.
+Bivariate primitive_part(const Bivariate& v);
+/// The coefficients of t⁰, t¹, … of primitive_part(v).
+std::vector<IntegerPolynomial> integer_rows(const Bivariate& v);
 
 /// The value at t = `t`: a polynomial in x.
 Polynomial evaluate_at(const Bivariate& v, const Rational& t);

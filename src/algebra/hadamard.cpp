@@ -58,6 +58,8 @@ long least(const flint::FmpzPoly& q, Bound bound) {
 
 }  // namespace
 
+long norm_bits(const flint::FmpzPoly& f) { return std::max(bits(norm(f, 0)), 0L); }
+
 long formal_degree(const flint::FmpzPoly& n, const flint::FmpzPoly& a, const flint::FmpzPoly& q) {
   return std::max(fmpz_poly_degree(a.get()),
                   fmpz_poly_degree(n.get()) - fmpz_poly_degree(q.get()) + 1);

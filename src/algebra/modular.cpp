@@ -99,6 +99,29 @@ ModularPolynomial shifted_down(const ModularPolynomial& a, long k) {
   return quotient;
 }
 
+ModularPolynomial numerator_of_series(std::vector<Word> values, const ModularPolynomial& q) {
+  const auto count = static_cast<long>(values.size());
+  std::reverse(values.begin(), values.end());
+  ModularPolynomial product(q.prime(), values);
+  product *= q;
+  return shifted_down(product, count);
+}
+
+// Reversed it is exp(−Σ s_k zᵏ/k) (Newton).
+ModularPolynomial from_power_sums(Word prime, const std::vector<Word>& sums) {
+  const auto n = static_cast<slong>(sums.size());
+  ModularPolynomial series(prime);
+  const nmod_t mod = series.raw()->mod;
+  for (slong k = 1; k <= n; ++k) {
+    const ulong over_k =
+        nmod_div(sums[static_cast<std::size_t>(k - 1)], static_cast<ulong>(k), mod);
+    nmod_poly_set_coeff_ui(series.raw(), k, nmod_neg(over_k, mod));
+  }
+  nmod_poly_exp_series(series.raw(), series.raw(), n + 1);
+  nmod_poly_reverse(series.raw(), series.raw(), n + 1);
+  return series;
+}
+
 bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
   ModularPolynomial common(a.prime());
   nmod_poly_gcd(common.raw(), a.raw(), b.raw());

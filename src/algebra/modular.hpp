@@ -38,6 +38,9 @@ class ModularPolynomial {
   bool is_zero() const { return nmod_poly_is_zero(raw()) != 0; }
   Word coefficient(long k) const { return nmod_poly_get_coeff_ui(raw(), k); }
 
+  ModularPolynomial& operator+=(const ModularPolynomial& b) {
+    return nmod_poly_add(raw(), raw(), b.raw()), *this;
+  }
   ModularPolynomial& operator-=(const ModularPolynomial& b) {
     return nmod_poly_sub(raw(), raw(), b.raw()), *this;
   }
@@ -60,6 +63,11 @@ class ModularPolynomial {
 ModularPolynomial differentiate(const ModularPolynomial& a);
 /// The quotient of a by tᵏ.
 ModularPolynomial shifted_down(const ModularPolynomial& a, long k);
+/// The polynomial part of q·Σ valuesᵢ·t^{−i−1}: where that series is P/q, it is P, if there are
+/// deg q values.
+ModularPolynomial numerator_of_series(std::vector<Word> values, const ModularPolynomial& q);
+/// The monic polynomial of degree n with these power sums s₁, …, sₙ of its roots. Requires p > n.
+ModularPolynomial from_power_sums(Word prime, const std::vector<Word>& sums);
 /// Is the gcd 1? Requires that a and b are not both 0.
 bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b);
 /// An irreducible factor, but for what it is.

@@ -1,5 +1,6 @@
 #include "phrame/algebra/modular_algebra.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace phrame {
@@ -77,31 +78,86 @@ struct ModularMatrix {
   ulong& entry(slong row, slong column) { return nmod_mat_entry(value, row, column); }
 };
 
+/// c⁰, …, c^count.
+std::vector<ModularPolynomial> powers_of(const ModularAlgebra& algebra, const ModularPolynomial& c,
+                                         slong count) {
+  std::vector<ModularPolynomial> powers = {ModularPolynomial(c.prime(), std::vector<Word>{1})};
+  for (slong k = 0; k < count; ++k) powers.push_back(algebra.multiply(powers.back(), c));
+  return powers;
+}
+
+slong rounded_root(slong x) {
+  return static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(x))));
+}
+
 }  // namespace
+
+Word value_of(const ModularPolynomial& form, const ModularPolynomial& a) {
+  const nmod_t mod = a.raw()->mod;
+  const slong length = std::min(form.degree(), a.degree()) + 1;
+  return _nmod_vec_dot(form.raw()->coeffs, a.raw()->coeffs, length, mod,
+                       _nmod_vec_dot_bound_limbs(length, mod));
+}
 
 // With w = ⌈√count⌉, ℓ(c^{wj+i}) is in row j, column i of the product of the forms ℓ∘c^{wj} (rows)
 // and the powers cⁱ (columns).
 std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const ModularPolynomial& form,
                                     const ModularPolynomial& c, long count) {
   const slong n = algebra.size();
-  const auto width = static_cast<slong>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const slong width = rounded_root(count);
   ModularMatrix forms(width, n, algebra.prime());
   ModularMatrix powers(n, width, algebra.prime());
-  ModularPolynomial power(algebra.prime());
-  nmod_poly_one(power.raw());
+  const std::vector<ModularPolynomial> power = powers_of(algebra, c, width);
   for (slong i = 0; i < width; ++i) {
-    for (slong k = 0; k <= power.degree(); ++k) powers.entry(k, i) = power.coefficient(k);
-    power = algebra.multiply(power, c);
+    const ModularPolynomial& column = power[static_cast<std::size_t>(i)];
+    for (slong k = 0; k <= column.degree(); ++k) powers.entry(k, i) = column.coefficient(k);
   }
   ModularPolynomial row = form;
   for (slong j = 0; j < width; ++j) {
     for (slong k = 0; k <= row.degree(); ++k) forms.entry(j, k) = row.coefficient(k);
-    row = algebra.compose(row, power);
+    row = algebra.compose(row, power.back());
   }
   ModularMatrix result(width, width, algebra.prime());
   nmod_mat_mul(result.value, forms.value, powers.value);
   std::vector<ulong> values;
   for (slong k = 0; k < count; ++k) values.push_back(result.entry(k / width, k % width));
+  return values;
+}
+
+// With f = Σ_b f_b·x^{wb}, deg f_b < w, the f_b(c) of all f are the rows of one product of
+// matrices: the coefficients of the f_b, and 1, c, …, c^{w−1}.
+std::vector<ModularPolynomial> values_at(const ModularAlgebra& algebra,
+                                         const std::vector<ModularPolynomial>& list,
+                                         const ModularPolynomial& c) {
+  slong length = 1;
+  for (const ModularPolynomial& f : list) length = std::max(length, f.degree() + 1);
+  const auto count = static_cast<slong>(list.size());
+  const slong width = std::min(length, rounded_root(length * count));
+  const slong blocks = (length + width - 1) / width;
+  const std::vector<ModularPolynomial> power = powers_of(algebra, c, width);
+  ModularMatrix powers(width, algebra.size(), algebra.prime());
+  for (slong i = 0; i < width; ++i) {
+    const ModularPolynomial& row = power[static_cast<std::size_t>(i)];
+    for (slong k = 0; k <= row.degree(); ++k) powers.entry(i, k) = row.coefficient(k);
+  }
+  ModularMatrix parts(count * blocks, width, algebra.prime());
+  for (slong j = 0; j < count; ++j) {
+    const ModularPolynomial& f = list[static_cast<std::size_t>(j)];
+    for (slong k = 0; k <= f.degree(); ++k)
+      parts.entry(j * blocks + k / width, k % width) = f.coefficient(k);
+  }
+  ModularMatrix at_c(count * blocks, algebra.size(), algebra.prime());
+  nmod_mat_mul(at_c.value, parts.value, powers.value);
+  std::vector<ModularPolynomial> values;
+  for (slong j = 0; j < count; ++j) {
+    ModularPolynomial sum(algebra.prime());
+    for (slong b = blocks; b-- > 0;) {
+      if (!sum.is_zero()) sum = algebra.multiply(sum, power.back());
+      const ulong* row = &at_c.entry((j * blocks) + b, 0);
+      sum += ModularPolynomial(algebra.prime(), std::vector<Word>(row, row + algebra.size()));
+    }
+    values.push_back(std::move(sum));
+  }
   return values;
 }
 

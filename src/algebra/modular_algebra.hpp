@@ -14,6 +14,7 @@ class ModularAlgebra {
   /// discriminant.
   static std::optional<ModularAlgebra> make(const ModularPolynomial& d, long size);
 
+  const ModularPolynomial& modulus() const { return modulus_; }  ///< d
   long size() const { return modulus_.degree(); }
   ulong prime() const { return modulus_.prime(); }
   ulong discriminant() const { return derivative_inverse_.resultant; }  ///< res(d, d′)
@@ -39,8 +40,17 @@ class ModularAlgebra {
   ModularPolynomial remainder_inverse_;  ///< 1/rev(d) modulo z^{N+1}, for FLINT's remainder
 };
 
+/// ℓ(a).
+Word value_of(const ModularPolynomial& form, const ModularPolynomial& a);
+
 /// ℓ(cᵏ) for 0 ≤ k < count: a power projection, with about 2√count products [Shoup 1999].
 std::vector<ulong> values_of_powers(const ModularAlgebra& algebra, const ModularPolynomial& form,
                                     const ModularPolynomial& c, long count);
+
+/// f(c) for each f of the list, not empty: with M the greatest number of coefficients and r the
+/// length of the list about 2√(r·M) products [Paterson, Stockmeyer 1973].
+std::vector<ModularPolynomial> values_at(const ModularAlgebra& algebra,
+                                         const std::vector<ModularPolynomial>& list,
+                                         const ModularPolynomial& c);
 
 }  // namespace phrame

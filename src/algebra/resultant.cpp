@@ -1,13 +1,15 @@
 // The characteristic polynomial χ of c = n/d′ in A = 𝔽ₚ[t]/(d) from its power sums
-// s_k = Tr(cᵏ), k ≤ N = deg d: χ reversed is exp(−Σ s_k zᵏ/k) (Newton). Over ℤ,
+// s_k = Tr(cᵏ), k ≤ N = deg d (Newton). Over ℤ,
 //   res_t(d, n − x·d′) = lead(d)^{N−1} ∏ (n(z) − x d′(z)) = (−1)^N · res(d, d′) · χ(x).
 #include "phrame/algebra/resultant.hpp"
 
 #include <algorithm>
 #include <optional>
 
+#include "phrame/algebra/decomposition.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/hadamard.hpp"
+#include "phrame/algebra/integer_fraction.hpp"
 #include "phrame/algebra/modular_algebra.hpp"
 #include "phrame/algebra/modular_lift.hpp"
 
@@ -17,42 +19,25 @@ namespace {
 /// χ, monic. Needs p > N.
 ModularPolynomial characteristic_polynomial(const ModularAlgebra& algebra,
                                             const ModularPolynomial& c) {
-  const slong n = algebra.size();
-  const std::vector<ulong> s = values_of_powers(algebra, algebra.trace(), c, n + 1);
-  ModularPolynomial series(algebra.prime());  // −Σ s_k zᵏ/k
-  const nmod_t mod = series.raw()->mod;
-  for (slong k = 1; k <= n; ++k) {
-    const ulong over_k = nmod_div(s[static_cast<std::size_t>(k)], static_cast<ulong>(k), mod);
-    nmod_poly_set_coeff_ui(series.raw(), k, nmod_neg(over_k, mod));
-  }
-  nmod_poly_exp_series(series.raw(), series.raw(), n + 1);
-  nmod_poly_reverse(series.raw(), series.raw(), n + 1);
-  return series;
+  std::vector<ulong> s = values_of_powers(algebra, algebra.trace(), c, algebra.size() + 1);
+  s.erase(s.begin());
+  return from_power_sums(algebra.prime(), s);
 }
 
-/// n/d scaled to integer polynomials: n = numerator/scale, d primitive.
-struct IntegerFraction {
-  flint::FmpzPoly numerator;
-  flint::Fmpz scale;
-  flint::FmpzPoly denominator;
-};
-
-IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
+IntegerFraction simple_fraction(const Polynomial& n, const Polynomial& d) {
   if (d.is_constant()) throw DomainError("residue_polynomial: the denominator is constant");
   if (n.degree() >= d.degree()) throw DomainError("residue_polynomial: the fraction is not proper");
   if (!is_squarefree(d))
     throw DomainError("residue_polynomial: the denominator has a repeated root");
-  const Polynomial scaled = (1 / content(d)) * n;
-  IntegerFraction f;
-  fmpq_poly_get_numerator(f.numerator.get(), scaled.raw());
-  fmpz_set(f.scale.get(), fmpq_poly_denref(scaled.raw()));
-  f.denominator = integer_primitive_part(d);
-  return f;
+  return integer_fraction(n, d);
 }
 
 }  // namespace
 
-Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
+namespace {
+
+/// Up to Hadamard's bound.
+Polynomial lifted_residue_polynomial(const Polynomial& n, const Polynomial& d) {
   const IntegerFraction f = integer_fraction(n, d);
   const auto image =
       [&](const std::vector<ModularPolynomial>& at) -> std::optional<ModularPolynomial> {
@@ -66,11 +51,23 @@ Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
                                               residue_bits(f.numerator, f.denominator), image);
   // The residues of n/d are those of numerator/d over `scale`: substitute x → scale·x.
   const Polynomial residues = to_polynomial(lifted.get());
-  return primitive_part(compose(residues, Polynomial{0, Rational(f.scale.get())}));
+  return primitive_part(compose(residues, Polynomial{0, Rational(f.scale)}));
+}
+
+}  // namespace
+
+// A fraction of h(t) has each residue of the outer one deg h times: of those a curve has whose
+// preimage is one of h(t), and the bound of the composed fraction is far above what they need.
+Polynomial residue_polynomial(const Polynomial& n, const Polynomial& d) {
+  const long distinct = distinct_residues_modulo_a_prime(n, d);
+  const auto found =
+      distinct == 0 ? std::nullopt : widest_decomposition(n, d, d.degree() / distinct);
+  if (!found) return lifted_residue_polynomial(n, d);
+  return pow(residue_polynomial(found->outer_n, found->outer_d), found->inner.degree());
 }
 
 long distinct_residues_modulo_a_prime(const Polynomial& n, const Polynomial& d) {
-  const IntegerFraction f = integer_fraction(n, d);
+  const IntegerFraction f = simple_fraction(n, d);
   Primes primes;
   long most = 0;
   for (int attempt = 0; attempt < 2 && most < d.degree(); ++attempt) {

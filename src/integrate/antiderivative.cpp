@@ -1,4 +1,4 @@
-// The derivative of Σ c(α) log v(α, t), with d = deg v, e = deg q, n = d·e:
+// The derivative of Σ c(α) log v(α, t), v made monic, with d = deg v, e = deg q, n = d·e:
 //
 //   v_t/v = Σ_{k≥0} s_k t^{−k−1},  s_k ∈ ℚ[x]/(q) the power sums of the roots of v in t (s₀ = d),
 //
@@ -11,6 +11,7 @@
 #include "phrame/integrate/antiderivative.hpp"
 
 #include "phrame/algebra/power_series.hpp"
+#include "phrame/integrate/residue_derivative.hpp"
 
 namespace phrame {
 namespace {
@@ -19,8 +20,9 @@ RationalFunction derivative_by_power_sums(const LogSum& sum) {
   const QuotientRing ring(sum.index);
   const long d = sum.argument.degree();
   const long n = d * ring.modulus().degree();
+  const Polynomial lead = sum.argument.coefficient(d);
   std::vector<Polynomial> c;
-  for (long k = d - 1; k >= 0; --k) c.push_back(sum.argument.coefficient(k));
+  for (long k = d - 1; k >= 0; --k) c.push_back(ring.divide(sum.argument.coefficient(k), lead));
   const auto s = power_sums(
       c, n, [&](const Polynomial& a, const Polynomial& b) { return ring.multiply(a, b); });
 
@@ -61,6 +63,16 @@ RationalFunction derivative_over_quadratic(const LogSum& sum) {
           a * a + s * (a * b) + r * (b * b)};
 }
 
+/// The same for deg q = 1: c·v′/v.
+RationalFunction derivative_over_rational(const LogSum& sum) {
+  const QuotientRing ring(sum.index);
+  const Bivariate argument = ring.reduce(sum.argument);
+  std::vector<Rational> v;
+  for (const Polynomial& c : argument.coefficients()) v.push_back(c.coefficient(0));
+  const Rational c = ring.reduce(sum.residue).coefficient(0);
+  return {c * differentiate(Polynomial(v)), Polynomial(v)};
+}
+
 }  // namespace
 
 bool is_over_poles(const LogSum& sum) {
@@ -70,10 +82,13 @@ bool is_over_poles(const LogSum& sum) {
 }
 
 RationalFunction differentiate(const LogSum& sum) {
-  if (!is_over_poles(sum))
-    return sum.index.degree() == 2 ? derivative_over_quadratic(sum) : derivative_by_power_sums(sum);
   // Σ n(z)/d′(z) · 1/(t − z) = n/d: of the residue n/d′ mod d, which is long, n comes back.
-  return {short_remainder(sum.residue * differentiate(sum.index), sum.index), sum.index};
+  if (is_over_poles(sum))
+    return {short_remainder(sum.residue * differentiate(sum.index), sum.index), sum.index};
+  if (sum.index.degree() == 1) return derivative_over_rational(sum);
+  if (sum.index.degree() == 2) return derivative_over_quadratic(sum);
+  if (auto derivative = derivative_over_residues(sum)) return *std::move(derivative);
+  return derivative_by_power_sums(sum);
 }
 
 RationalFunction differentiate(const Antiderivative& F) {

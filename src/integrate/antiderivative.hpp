@@ -9,7 +9,8 @@ namespace phrame {
 struct LogSum {
   Polynomial index;    ///< q ∈ ℚ[x], squarefree, degree ≥ 1
   Polynomial residue;  ///< c ∈ ℚ[x], reduced modulo q, nonzero at every root
-  Bivariate argument;  ///< v ∈ ℚ[x][t], monic in t, degree ≥ 1, reduced modulo q
+  Bivariate argument;  ///< v ∈ ℚ[x][t], degree ≥ 1, reduced modulo q; its leading coefficient is
+                       ///< nonzero at every root, and 1 where deg q ≤ 2
 
   friend bool operator==(const LogSum&, const LogSum&) = default;
 };

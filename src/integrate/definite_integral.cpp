@@ -15,7 +15,6 @@
 #include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
 
@@ -169,7 +168,7 @@ Logs split_logs(const Antiderivative& F) {
     }
     for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
       result.all.push_back(f);
-      if (has_quadratic_residues(f))
+      if (has_residues_of_degree_at_most(f, 2))
         quadratic.push_back(over_residues({f}).front());
       else
         result.others.push_back(std::move(f));

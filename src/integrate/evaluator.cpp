@@ -6,14 +6,15 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/decomposition.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
-#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/pole_sum.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/short_integral.hpp"
 
 namespace phrame {
@@ -77,7 +78,7 @@ void Evaluator::Function::add_poles_of(const Antiderivative& F) {
   }
   RationalFunction logs = derivative;
   if (!is_all_logs) logs = logs - differentiate(plain);
-  if (is_over_all_poles)
+  if (is_over_all_poles || F.logs.size() == 1)
     poles.add_term(logs.numerator(), logs.denominator());
   else
     for (const auto& [n, d] : simple_fractions(logs)) poles.add_term(n, d);
@@ -253,10 +254,16 @@ std::vector<SimpleFraction> Evaluator::Function::fractions() const {
 // Residues in ℚ(i) are decided together with the phase. The sum Σ α·L(α) over others, L(α) a value
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
-// prove that the sum is 0.
+// prove that the sum is 0. That is seen at once where every fraction closes() between the ends, as
+// on curves that are symmetric under t → a + b − t.
 Evaluator::Function::LogsOverPi Evaluator::Function::logs_over_pi(
     const Rational& a, const Rational& b, const GaussianPolynomial& phase) const {
-  const std::vector<LogSum> sums = over_residues(fractions());
+  const auto is_closed = [&](const PoleSum::Term& p) {
+    return closes(p.numerator, p.denominator, a, b);
+  };
+  const bool vanish = std::all_of(poles.terms().begin(), poles.terms().end(), is_closed);
+  const std::vector<LogSum> sums =
+      over_residues(vanish ? std::vector<SimpleFraction>() : fractions());
   GaussianLogs gaussian = gaussian_logs(sums);
   gaussian.arguments.push_back({1, phase});
   const std::vector<LogSum> others = std::exchange(gaussian.others, {});

@@ -1,7 +1,5 @@
 #include "phrame/integrate/integrate.hpp"
 
-#include <algorithm>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/hermite.hpp"
@@ -21,29 +19,13 @@ std::vector<LogSum> smallest_extension(const RationalFunction& f,
     for (const auto& part : parts) over_poles.push_back(full_partial_fraction(part));
     return over_poles;
   }
-  struct Residues {
-    Polynomial all;       ///< a power of an irreducible polynomial
-    Polynomial distinct;  ///< that one
-  };
-  std::vector<Residues> residues;
-  for (const auto& [n, d] : parts) {
-    Polynomial all = residue_polynomial(n, d);
-    Polynomial distinct = squarefree_part(all);
-    residues.push_back({std::move(all), std::move(distinct)});
-  }
-  std::vector<LogSum> repeated;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto& [all, distinct] = residues[k];
-    const auto equal =
-        std::count_if(residues.begin(), residues.end(),
-                      [&d = distinct](const Residues& r) { return r.distinct == d; });
-    if (equal == 1 && all.degree() == distinct.degree())
-      over_poles.push_back(full_partial_fraction(parts[k]));
+  std::vector<LogSum> sums;
+  for (const EqualResidues& group : by_residues(parts)) {
+    if (group.is_one && is_squarefree(group.residues))
+      over_poles.push_back(full_partial_fraction({group.sum.numerator(), group.sum.denominator()}));
     else
-      repeated.push_back(
-          lazard_rioboo_trager({parts[k].numerator, parts[k].denominator}, all).front());
+      sums.push_back(lazard_rioboo_trager(group.sum, group.residues).front());
   }
-  std::vector<LogSum> sums = merge_equal_residues(std::move(repeated));
   sums.insert(sums.end(), over_poles.begin(), over_poles.end());
   return sums;
 }
@@ -53,11 +35,10 @@ std::vector<LogSum> logarithms(const RationalFunction& f, Form form) {
   if (form == Form::lazard_rioboo_trager) return lazard_rioboo_trager(f);
   const auto parts = simple_fractions(f);
   if (form == Form::automatic) return smallest_extension(f, parts);
+  if (form == Form::rothstein_trager) return rothstein_trager(parts);
   std::vector<LogSum> sums;
-  for (const auto& part : parts)
-    sums.push_back(form == Form::partial_fractions ? full_partial_fraction(part)
-                                                   : rothstein_trager(part));
-  return form == Form::partial_fractions ? sums : merge_equal_residues(std::move(sums));
+  for (const auto& part : parts) sums.push_back(full_partial_fraction(part));
+  return sums;
 }
 
 }  // namespace

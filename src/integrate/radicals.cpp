@@ -12,7 +12,7 @@ constexpr long largest_solved_degree = 4;
 
 /// The sums, with those over residues first, where equal residues become one logarithm.
 std::vector<LogSum> solvable_sums(const RationalFunction& f) {
-  std::vector<LogSum> over_residues;
+  std::vector<SimpleFraction> unsolved;
   std::vector<LogSum> over_poles;
   for (const SimpleFraction& part : simple_fractions(f)) {
     const long degree = part.denominator.degree();
@@ -21,13 +21,12 @@ std::vector<LogSum> solvable_sums(const RationalFunction& f) {
       over_poles.push_back(poles);
       continue;
     }
-    const LogSum residues = rothstein_trager(part);
-    if (residues.index.degree() > largest_solved_degree)
+    if (!has_residues_of_degree_at_most(part, largest_solved_degree))
       throw DomainError("radicals: the poles and the residues at the roots of " +
                         abbreviated(to_string(part.denominator), 200) + " have a degree > 4");
-    over_residues.push_back(residues);
+    unsolved.push_back(part);
   }
-  std::vector<LogSum> all = merge_equal_residues(std::move(over_residues));
+  std::vector<LogSum> all = rothstein_trager(unsolved);
   all.insert(all.end(), over_poles.begin(), over_poles.end());
   return all;
 }

@@ -18,7 +18,6 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/integrate/integrate.hpp"
-#include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/quadratic_fields.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/style.hpp"
@@ -149,7 +148,7 @@ bool is_short(const RealForm& form) {
 /// The form of one fraction; no value where it is a sum over roots.
 std::optional<RealForm> form_of(const SimpleFraction& f, Style style) {
   std::optional<RealForm> form;
-  if (has_quadratic_residues(f)) {
+  if (has_residues_of_degree_at_most(f, 2)) {
     form = over_quadratic(over_residues({f}).front(), style);
     // Rational coefficients are better than linear arguments.
     const bool is_irrational =

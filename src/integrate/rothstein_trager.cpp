@@ -1,68 +1,70 @@
-// d is irreducible over ℚ, so its roots are conjugate and every residue occurs equally often: the
-// residue polynomial is qᵏ with q irreducible, and v = gcd(n − x d′, d) ∈ (ℚ[x]/(q))[t] has degree
-// k. Modulo a prime p, 𝔽ₚ[x]/(q) need not be a field; Euclid's algorithm runs as if it were, and a
-// leading coefficient without inverse, or a gcd of another degree, discards the prime.
 #include "phrame/integrate/rothstein_trager.hpp"
 
 #include <algorithm>
-#include <optional>
 
-#include "phrame/algebra/modular_bivariate.hpp"
-#include "phrame/algebra/rational_lift.hpp"
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
+#include "phrame/integrate/lazard_rioboo_trager.hpp"
 
 namespace phrame {
+
 namespace {
 
-/// The coefficients of t⁰, …, tᵏ⁻¹ of a monic polynomial of degree k, `size` numbers each.
-std::vector<Word> flattened(const ModularBivariate& v, long size) {
-  std::vector<Word> list;
-  for (std::size_t j = 0; j + 1 < v.size(); ++j)
-    for (long i = 0; i < size; ++i) list.push_back(v[j].coefficient(i));
-  return list;
-}
-
-/// gcd(n − x d′, d), monic of degree k in t, over ℚ[x]/(q): the first candidate that one more
-/// prime confirms.
-Bivariate residue_gcd(const SimpleFraction& f, const Polynomial& q, long k) {
-  const Integer scale = denominator(f.numerator);
-  const IntegerPolynomial n = integer_numerator(f.numerator);
-  const IntegerPolynomial d = integer_primitive_part(f.denominator);
-  const IntegerPolynomial modulus = integer_primitive_part(q);
-  RationalLift lift(static_cast<std::size_t>(k * q.degree()));
-  Primes primes;
-  for (;;) {
-    const Word p = primes.next();
-    const ModularPolynomial q_p(p, modulus);
-    const ModularPolynomial n_p(p, n);
-    const ModularPolynomial d_p(p, d);
-    const Word s = residue(scale, p);
-    if (q_p.degree() != q.degree() || d_p.degree() != f.denominator.degree() || s == 0) continue;
-    // a = d, b = n − (scale·x)·d′, up to the unit `scale`.
-    ModularPolynomial slope = differentiate(d_p);
-    slope *= p - s;
-    ModularBivariate a;
-    ModularBivariate b;
-    for (long j = 0; j <= d_p.degree(); ++j) {
-      a.emplace_back(p, std::vector{d_p.coefficient(j)});
-      b.emplace_back(p, std::vector{n_p.coefficient(j), slope.coefficient(j)});
-      reduce(b.back(), q_p);
-    }
-    normalize(b);
-    const auto gcd_p = monic_gcd(std::move(a), std::move(b), q_p);
-    if (!gcd_p || static_cast<long>(gcd_p->size()) != k + 1) continue;
-    if (const auto v = lift.include(flattened(*gcd_p, q.degree()), p))
-      return monic_from_rows(*v, q.degree());
+/// One fraction for each denominator.
+std::vector<SimpleFraction> with_different_poles(const std::vector<SimpleFraction>& fractions) {
+  std::vector<SimpleFraction> different;
+  for (const auto& [n, d] : fractions) {
+    const auto at = std::find_if(different.begin(), different.end(),
+                                 [&d = d](const auto& f) { return f.denominator == d; });
+    if (at == different.end())
+      different.push_back({n, d});
+    else
+      at->numerator += n;
   }
+  std::erase_if(different, [](const auto& f) { return f.numerator.is_zero(); });
+  return different;
 }
 
 }  // namespace
 
-LogSum rothstein_trager(const SimpleFraction& f) {
-  const Polynomial residues = residue_polynomial(f.numerator, f.denominator);
-  const Polynomial q = squarefree_part(residues);
-  const QuotientRing ring(q);
-  return {q, ring.reduce(Polynomial{0, 1}), residue_gcd(f, q, residues.degree() / q.degree())};
+// The poles of an irreducible denominator are conjugate, so that every residue occurs equally often
+// and their polynomial is a power of an irreducible one. Residue polynomials of different
+// denominators are multiplied.
+std::vector<EqualResidues> by_residues(const std::vector<SimpleFraction>& fractions) {
+  std::vector<EqualResidues> groups;
+  std::vector<Polynomial> irreducible;
+  for (const auto& [n, d] : with_different_poles(fractions)) {
+    Polynomial residues = residue_polynomial(n, d);
+    const Polynomial q = squarefree_part(residues);
+    const auto at = std::find(irreducible.begin(), irreducible.end(), q);
+    if (at == irreducible.end()) {
+      irreducible.push_back(q);
+      groups.push_back({RationalFunction(n, d), std::move(residues), true});
+      continue;
+    }
+    EqualResidues& group = groups[static_cast<std::size_t>(at - irreducible.begin())];
+    group.sum = group.sum + RationalFunction(n, d);
+    group.residues *= residues;
+    group.is_one = false;
+  }
+  return groups;
+}
+
+std::vector<LogSum> rothstein_trager(const std::vector<SimpleFraction>& fractions) {
+  std::vector<LogSum> sums;
+  for (const EqualResidues& group : by_residues(fractions))
+    sums.push_back(lazard_rioboo_trager(group.sum, group.residues).front());
+  return sums;
+}
+
+std::vector<LogSum> over_residues(const std::vector<SimpleFraction>& fractions) {
+  std::vector<LogSum> sums;
+  for (const EqualResidues& group : by_residues(fractions)) {
+    sums.push_back(lazard_rioboo_trager(group.sum, group.residues).front());
+    if (!(differentiate(sums.back()) == group.sum))
+      throw Error("over_residues: the check failed, the derivative is not the fraction");
+  }
+  return sums;
 }
 
 std::vector<LogSum> merge_equal_residues(std::vector<LogSum> sums) {
@@ -86,6 +88,14 @@ std::vector<LogSum> merge_equal_residues(std::vector<LogSum> sums) {
     at->argument = Bivariate(std::move(product));
   }
   return merged;
+}
+
+/// The residue polynomial is a power of the irreducible polynomial of one residue.
+bool has_residues_of_degree_at_most(const SimpleFraction& f, long most) {
+  const auto& [n, d] = f;
+  if (d.degree() <= most) return true;
+  if (distinct_residues_modulo_a_prime(n, d) > most) return false;
+  return squarefree_part(residue_polynomial(n, d)).degree() <= most;
 }
 
 }  // namespace phrame

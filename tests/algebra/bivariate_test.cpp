@@ -17,6 +17,17 @@ TEST_CASE("bivariate: no leading zeros, and the value at t is a polynomial in x"
   CHECK(Bivariate({Polynomial{}}).is_zero());
 }
 
+TEST_CASE("bivariate: the primitive part has coprime integers and a positive lead, row by row") {
+  const Bivariate v({Polynomial{Rational(2, 3), 4}, Polynomial{}, Polynomial{0, Rational(-2, 5)}});
+  CHECK(primitive_part(v) == Bivariate({Polynomial{-5, -30}, Polynomial{}, Polynomial{0, 3}}));
+  const auto rows = integer_rows(v);
+  REQUIRE(rows.size() == 3);
+  CHECK(to_polynomial(rows[0].get()) == Polynomial{-5, -30});
+  CHECK(to_polynomial(rows[1].get()).is_zero());
+  CHECK(to_polynomial(rows[2].get()) == Polynomial{0, 3});
+  CHECK(from_rows({1, 2, 3, 0}, 2) == std::vector<Polynomial>{{1, 2}, {3}});
+}
+
 TEST_CASE("quotient ring: √2 has inverse √2/2, trace 0; i has trace 0 and 1 has trace 2") {
   const QuotientRing ring({-2, 0, 1});
   CHECK(ring.divide({1}, {0, 1}) == Polynomial{0, Rational(1, 2)});

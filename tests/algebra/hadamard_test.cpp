@@ -29,6 +29,24 @@ Rational resultant(const Polynomial& q, const Polynomial& a) {
 
 }  // namespace
 
+TEST_CASE("hadamard: law: 2^bits bounds the norm, and Mahler's measure of known roots") {
+  for_samples(100, [](Random& random) {
+    Polynomial f{random.integer(1, 99)};
+    Rational measure = f.coefficient(0);
+    for (long k = random.integer(0, 6); k > 0; --k) {
+      const Rational root = random.integer(-99, 99);
+      f *= Polynomial{-root, 1};
+      measure *= std::max(Rational(1), abs(root));
+    }
+    Rational squares = 0;
+    for (const Rational& c : f.coefficients()) squares += c * c;
+    const long bits = norm_bits(integer_polynomial(f));
+    CHECK(squares <= Rational(pow(Integer(4), static_cast<unsigned long>(bits))));
+    CHECK(measure <= Rational(pow(Integer(2), static_cast<unsigned long>(bits))));
+    CHECK(squares * 16 > Rational(pow(Integer(4), static_cast<unsigned long>(bits))));
+  });
+}
+
 // n and a may have a higher degree than q. R is the resultant of q and a as a polynomial of the
 // formal degree, which is lead(q)^{formal − deg a}·res(q, a).
 TEST_CASE("hadamard: law: R and R·n/a mod q are integral and below the bound") {

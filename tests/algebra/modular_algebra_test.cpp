@@ -116,6 +116,41 @@ TEST_CASE("modular algebra: law: traces and residues are sums over the roots") {
   });
 }
 
+TEST_CASE("modular algebra: law: values of polynomials at an element, and of forms at it") {
+  for_samples(40, [](Random& random) {
+    const long n = random.integer(1, 9);
+    const std::vector<ulong> roots = different_numbers(random, n);
+    const auto algebra = ModularAlgebra::make(ModularPolynomial(prime, of_roots(roots)), n);
+    REQUIRE(algebra);
+    const auto random_list = [&](long length) {
+      std::vector<ulong> list;
+      for (long k = 0; k < length; ++k)
+        list.push_back(static_cast<ulong>(random.integer(0, 999'999)));
+      return list;
+    };
+    const std::vector<ulong> c = random_list(n);
+    std::vector<std::vector<ulong>> lists = {{}, {7}};
+    for (long k = random.integer(0, 4); k > 0; --k)
+      lists.push_back(random_list(random.integer(1, 30)));
+    std::vector<ModularPolynomial> polynomials;
+    for (const auto& list : lists) polynomials.emplace_back(prime, list);
+    const auto values = values_at(*algebra, polynomials, ModularPolynomial(prime, c));
+    REQUIRE(values.size() == lists.size());
+    for (std::size_t k = 0; k < lists.size(); ++k) {
+      ulong trace = 0;
+      for (const ulong r : roots) {
+        const ulong expected = value(lists[k], value(c, r));
+        ulong found = 0;
+        for (long j = n; j-- > 0;)
+          found = (product(found, r, prime) + values[k].coefficient(j)) % prime;
+        CHECK(found == expected);
+        trace += expected;
+      }
+      CHECK(value_of(algebra->trace(), values[k]) == trace % prime);
+    }
+  });
+}
+
 TEST_CASE("modular algebra: none of a polynomial with a double root, or of another degree") {
   CHECK_FALSE(ModularAlgebra::make(ModularPolynomial(prime, of_roots({3, 5, 3})), 3));
   CHECK_FALSE(ModularAlgebra::make(ModularPolynomial(prime, of_roots({3, 5})), 3));

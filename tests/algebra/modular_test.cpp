@@ -139,3 +139,34 @@ TEST_CASE("modular: the shapes of factors, and what is coprime") {
   CHECK(residue(Integer(-1), 7) == 6);
   CHECK(residue(pow(Integer(10), 30), 7) == 1);
 }
+
+TEST_CASE("modular: law: a polynomial has the power sums of its roots, f′/f their series") {
+  for_samples(60, [](Random& random) {
+    const ulong p = (1UL << 61U) - 1;
+    ModularPolynomial f(p, std::vector<Word>{1});
+    std::vector<ulong> roots;
+    for (long k = random.integer(1, 8); k > 0; --k) {
+      roots.push_back(static_cast<ulong>(random.integer(0, 1'000'000)));
+      f *= ModularPolynomial(p, std::vector<Word>{p - roots.back(), 1});
+    }
+    std::vector<ulong> sums;  // s₀, …, sₙ
+    std::vector<ulong> powers(roots.size(), 1);
+    const nmod_t mod = f.raw()->mod;
+    for (std::size_t k = 0; k <= roots.size(); ++k) {
+      ulong sum = 0;
+      for (std::size_t i = 0; i < roots.size(); ++i) {
+        sum = nmod_add(sum, powers[i], mod);
+        powers[i] = nmod_mul(powers[i], roots[i], mod);
+      }
+      sums.push_back(sum);
+    }
+    const ModularPolynomial found = from_power_sums(p, {sums.begin() + 1, sums.end()});
+    for (long k = 0; k <= f.degree(); ++k) CHECK(found.coefficient(k) == f.coefficient(k));
+    // Σ s_k/t^{k+1} = f′/f.
+    const ModularPolynomial slope = differentiate(f);
+    const ModularPolynomial numerator = numerator_of_series({sums.begin(), sums.end() - 1}, f);
+    CHECK(numerator.degree() == slope.degree());
+    for (long k = 0; k <= slope.degree(); ++k)
+      CHECK(numerator.coefficient(k) == slope.coefficient(k));
+  });
+}
