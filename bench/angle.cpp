@@ -20,11 +20,42 @@ void symbolic(State& state, Reference reference) {
   const std::string text = random_curve_text(state.range(0));
   for (auto _ : state) {
     RmfAngle angle(read_curve(text).curve, reference);
-    benchmark::DoNotOptimize(angle);
+    benchmark::DoNotOptimize(angle.antiderivative());
   }
 }
 void erf_symbolic(State& state) { symbolic(state, Reference::euler_rodrigues); }
 void frenet_symbolic(State& state) { symbolic(state, Reference::frenet); }
+
+/// The antiderivative over the residues, checked; `inner` is put into the preimage of degree m/deg.
+void over_residues(State& state, Form form, const Polynomial& inner) {
+  const QuaternionPolynomial a = random_curve(state.range(0) / inner.degree()).preimage();
+  const auto composed = [&](const Polynomial& f) { return compose(f, inner); };
+  const QuaternionPolynomial preimage{composed(a.u), composed(a.v), composed(a.p), composed(a.q)};
+  for (auto _ : state) {
+    RmfAngle angle(preimage, Reference::euler_rodrigues, form);
+    benchmark::DoNotOptimize(angle.antiderivative());
+  }
+}
+void erf_rothstein_trager(State& state) { over_residues(state, Form::rothstein_trager, {0, 1}); }
+void erf_lazard_rioboo_trager(State& state) {
+  over_residues(state, Form::lazard_rioboo_trager, {0, 1});
+}
+void erf_composed(State& state) { over_residues(state, Form::automatic, {1, 0, -3, 1, 1}); }
+
+/// Eleven frames on [0, 1] of a curve that is symmetric under t → 1 − t, its poles isolated anew.
+void symmetric_frames(State& state) {
+  const QuaternionPolynomial a = random_curve(state.range(0) / 2).preimage();
+  const auto symmetric = [](const Polynomial& f) { return compose(f, {0, 1, -1}); };
+  const Curve curve({symmetric(a.u), symmetric(a.v), symmetric(a.p), symmetric(a.q)});
+  for (auto _ : state) {
+    RmfAngle angle(curve, Reference::euler_rodrigues);
+    for (long k = 0; k <= 10; ++k) {
+      const auto frame = rotation_minimizing_frame(curve, angle, Rational(k, 10));
+      for (const auto& e : {frame.e1, frame.e2, frame.e3})
+        benchmark::DoNotOptimize(round_to_double(e));
+    }
+  }
+}
 
 /// The coprimality of h and σ, is D squarefree, the factors of D and 1/D′ mod D; n/D is θ′.
 struct ErfCalls {
@@ -142,6 +173,10 @@ void small_m(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK(erf_symbolic)->Apply(all_m)->Arg(200);
+BENCHMARK(erf_rothstein_trager)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK(erf_lazard_rioboo_trager)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+BENCHMARK(erf_composed)->Arg(40)->Arg(80)->Unit(benchmark::kMillisecond);
+BENCHMARK(symmetric_frames)->Arg(10)->Arg(30)->Arg(40)->Unit(benchmark::kMillisecond);
 BENCHMARK(erf_flint)->Apply(all_m);
 BENCHMARK(erf_value)->Apply(all_m)->Arg(200);
 BENCHMARK(roots_alone)->Apply(all_m);

@@ -35,7 +35,8 @@ int main(int argc, char** argv) {
   const auto other = [&k] { return static_cast<double>(++k) / 1009; };
   const std::map<std::string, std::function<void()>> stages{
       // From the text of a curve file to the checked antiderivative.
-      {"symbolic", [&] { RmfAngle(read_curve(text).curve, Reference::euler_rodrigues); }},
+      {"symbolic",
+       [&] { RmfAngle(read_curve(text).curve, Reference::euler_rodrigues).antiderivative(); }},
       // θ(1) to 50 digits, roots isolated anew.
       {"first-value",
        [&] {

@@ -61,6 +61,7 @@ struct Evaluator::Function {
                                                    long bits) const;
   RealBall branch(const Endpoint& t, long bits) const;
   std::vector<SimpleFraction> fractions() const;
+  bool closes_between(const Rational& a, const Rational& b) const;
   LogsOverPi logs_over_pi(const Rational& a, const Rational& b,
                           const GaussianPolynomial& phase) const;
 };
@@ -251,19 +252,22 @@ std::vector<SimpleFraction> Evaluator::Function::fractions() const {
   return all;
 }
 
+/// Is Σ c(z)·log((b − z)/(a − z)) seen to be 0, as on curves that are symmetric under t → a + b −
+/// t?
+bool Evaluator::Function::closes_between(const Rational& a, const Rational& b) const {
+  return std::all_of(poles.terms().begin(), poles.terms().end(), [&](const PoleSum::Term& p) {
+    return closes(p.numerator, p.denominator, a, b);
+  });
+}
+
 // Residues in ℚ(i) are decided together with the phase. The sum Σ α·L(α) over others, L(α) a value
 // of log(v(α, b)/v(α, a)): if v(α, b) = r·v(α, a) with r ∈ ℚ, exactly, then L(α) = log|r| + πi·k
 // with a whole k. So k = 0 and, for every irreducible polynomial of residues, log|r| = 0 or Σ α = 0
-// prove that the sum is 0. That is seen at once where every fraction closes() between the ends, as
-// on curves that are symmetric under t → a + b − t.
+// prove that the sum is 0.
 Evaluator::Function::LogsOverPi Evaluator::Function::logs_over_pi(
     const Rational& a, const Rational& b, const GaussianPolynomial& phase) const {
-  const auto is_closed = [&](const PoleSum::Term& p) {
-    return closes(p.numerator, p.denominator, a, b);
-  };
-  const bool vanish = std::all_of(poles.terms().begin(), poles.terms().end(), is_closed);
   const std::vector<LogSum> sums =
-      over_residues(vanish ? std::vector<SimpleFraction>() : fractions());
+      over_residues(closes_between(a, b) ? std::vector<SimpleFraction>() : fractions());
   GaussianLogs gaussian = gaussian_logs(sums);
   gaussian.arguments.push_back({1, phase});
   const std::vector<LogSum> others = std::exchange(gaussian.others, {});
@@ -322,6 +326,7 @@ Real Evaluator::value(const Rational& a, const Rational& b, const GaussianPolyno
   const RealBall first = enclose(bits);
   const auto is_apart = [&] {
     if (!first.contains(rational)) return true;
+    if (f.closes_between(a, b)) return false;
     long poles = degree(phase);
     for (const PoleSum::Term& p : f.poles.terms()) poles += p.denominator.degree();
     return !enclose(bits + 16 * poles).contains(rational);

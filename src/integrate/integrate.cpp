@@ -43,10 +43,15 @@ std::vector<LogSum> logarithms(const RationalFunction& f, Form form) {
 
 }  // namespace
 
-Antiderivative integrate(const RationalFunction& f, Form form) {
+AlgebraicPart algebraic_part(const RationalFunction& f) {
   const Division whole = divide(f.numerator(), f.denominator());
-  const RationalPart part = hermite_reduce({whole.remainder, f.denominator()});
-  Antiderivative F{antiderivative(whole.quotient), part.rational, logarithms(part.rest, form)};
+  RationalPart part = hermite_reduce({whole.remainder, f.denominator()});
+  return {{antiderivative(whole.quotient), std::move(part.rational), {}}, std::move(part.rest)};
+}
+
+Antiderivative integrate(const RationalFunction& f, Form form) {
+  auto [F, rest] = algebraic_part(f);
+  F.logs = logarithms(rest, form);
   if (!(differentiate(F) == f))
     throw Error("integrate: the check failed, the derivative of the result is not the integrand");
   return F;

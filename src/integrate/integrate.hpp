@@ -13,6 +13,16 @@ enum class Form {
   lazard_rioboo_trager,  ///< over the residues, nothing factored, one sum for each number of poles
 };
 
+/// f = F′ + rest, F without logarithms; rest is proper and has a squarefree denominator, so that
+/// the integral of f is F and logarithms.
+struct AlgebraicPart {
+  Antiderivative F;
+  RationalFunction rest;
+};
+
+/// By division and Hermite's reduction: nothing is factored, and no form of the logarithms chosen.
+AlgebraicPart algebraic_part(const RationalFunction& f);
+
 /// ∫ f dt for any f ∈ ℚ(t). The polynomial part by division, the rational part by Hermite's
 /// reduction, the logarithms in the form asked for. The result is checked before it is returned:
 /// differentiate(result) == f.

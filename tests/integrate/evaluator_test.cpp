@@ -80,6 +80,26 @@ TEST_CASE("definite: logarithms that cancel are seen to cancel") {
   CHECK_FALSE(turn.value(-1, 1).exact().has_value());
 }
 
+TEST_CASE("definite: what is antisymmetric about the middle of the path is 0, exactly") {
+  // A cubic and a quintic of u = t(1 − t), with residues of degree 3 and 5; u(1/3) = u(2/3).
+  const Polynomial u{0, 1, -1};
+  const RationalFunction f(differentiate(u) * compose(Polynomial{2, 1, 7}, u),
+                           compose(Polynomial{3, 1, 0, 1}, u));
+  const RationalFunction g(differentiate(u), compose(Polynomial{5, -1, 0, 0, 0, 1}, u));
+  for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager}) {
+    const Evaluator angle(integrate(f + g, form));
+    CHECK(angle.value(0, 1).exact() == Rational(0));
+    CHECK(angle.value(Rational(1, 3), Rational(2, 3)).exact() == Rational(0));
+    CHECK_FALSE(angle.value(0, Rational(2, 3)).exact());
+    // With a phase beside, and a rational part: t + 1 + i turns by −π/4 + arctan(1/2).
+    const Evaluator more(integrate(f + g + RationalFunction({0, 2}), form));
+    CHECK(more.value(0, 1).exact() == Rational(1));
+    const GaussianPolynomial phase{{1, 1}, {1}};
+    CHECK_FALSE(angle.multiple_of_pi(0, 1, phase));
+    CHECK(angle.multiple_of_pi(0, 1, {{1, -1}, {0, 1}}) == Rational(1, 2));
+  }
+}
+
 TEST_CASE("definite: logarithms and arctangents of numbers that cancel are decided") {
   // 2 log 2 − log 4.
   Evaluator logs(integrate(RationalFunction({2}, {1, 1}) - RationalFunction({3}, {1, 3})));

@@ -69,3 +69,18 @@ TEST_CASE("integrate: law: the derivative of every form is the integrand") {
     }
   });
 }
+
+TEST_CASE(
+    "integrate: law: the part without logarithms is that of every form, the rest has none of it") {
+  for_samples(40, [](Random& random) {
+    const RationalFunction f(random.polynomial(7), random.repeated_polynomial(2));
+    const auto [F, rest] = algebraic_part(f);
+    CHECK(F.logs.empty());
+    CHECK(differentiate(F) + rest == f);
+    CHECK(rest.is_proper());
+    CHECK(is_squarefree(rest.denominator()));
+    const Antiderivative whole = integrate(f);
+    CHECK(whole.polynomial == F.polynomial);
+    CHECK(whole.rational == F.rational);
+  });
+}

@@ -177,6 +177,14 @@ class Writer {
     if (!f.is_zero()) sum.add(false, quotient(f));
   }
 
+  /// v over its leading coefficient, which short arguments have: the logarithm of t − z stays on
+  /// one side of its cut, that of a constant times it need not.
+  std::string monic_argument(const LogSum& logs, const std::string& root) const {
+    const std::string v = polynomial(logs.argument, root);
+    const Polynomial& lead = logs.argument.coefficients().back();
+    return lead.is_constant() ? v : fmt::format("({})/({})", v, polynomial(lead, root));
+  }
+
   void add_sum(Sum& sum, const LogSum& logs) const {
     if (logs.index.degree() == 1) {
       const QuotientRing ring(logs.index);
@@ -189,7 +197,7 @@ class Writer {
     const std::string unknown = filled(syntax_.unknown, letter);
     sum.add(false, filled(syntax_.sum,
                           fmt::format("{}*{}", factor(polynomial(logs.residue, root)),
-                                      log(polynomial(logs.argument, root))),
+                                      log(monic_argument(logs, root))),
                           polynomial(logs.index, unknown), letter));
   }
 

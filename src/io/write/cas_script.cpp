@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
@@ -91,8 +93,8 @@ std::string script(const std::vector<Definition>& definitions, Language language
   return text;
 }
 
-/// Does an argument of a logarithm cross the cut for real t? One of degree 1 is t − z, which is
-/// real or stays in a half plane.
+/// Does an argument of a logarithm cross the cut for real t? One of degree 1 is written as t − z,
+/// which is real or stays in a half plane.
 bool may_jump(const LogSum& sum) {
   return sum.argument.degree() > 1 && count_real_roots(sum.index, real_line()) < sum.index.degree();
 }
@@ -142,11 +144,28 @@ double log2_of_root_bound(const Polynomial& q) {
   return greatest;
 }
 
+/// log₂ of the least |w(z)| at a root z of q, to which w is coprime.
+double log2_of_least_value(const Polynomial& w, const Polynomial& q) {
+  if (w.is_constant()) return log2_of(w.coefficient(0));
+  constexpr long first_bits = 128;
+  Roots roots = isolate_roots(q, first_bits);
+  for (long bits = first_bits;; bits *= 2, refine(q, roots, bits)) {
+    std::optional<Rational> least;
+    const auto include = [&](const ComplexBall& z) {
+      const Rational size = absolute(evaluate(w, z, bits), bits).lower();
+      if (!least || size < *least) least = size;
+    };
+    for (const RealBall& z : roots.real) include({z, {}});
+    for (const ComplexBall& z : roots.upper) include(z);
+    if (*least > 0) return log2_of(*least);
+  }
+}
+
 /// How many decimal digits are lost where the sum is computed in floating point, about. The error
 /// of a term pₖzᵏ is about k ε of it, that of adding n terms n ε of their sizes: at most 2n ε
 /// Σ|pₖ|rᵏ for |z| ≤ r, Cauchy's bound; a root z that is off by ε|z| changes p(z) by half as much.
-/// This n times, for each root. The logarithms count as of the size of 1, and so do their
-/// arguments, which are that or more but near a pole.
+/// This n times, for each root. The logarithms count as of the size of 1, and their arguments as
+/// of that of their leading coefficient, which they have or more but near a pole.
 double digits_lost(const LogSum& sum) {
   const long n = sum.index.degree();
   if (n == 1) return 0;  // it is written without a root
@@ -155,7 +174,8 @@ double digits_lost(const LogSum& sum) {
   if (!is_over_poles(sum)) {
     std::vector<double> sizes;
     for (const Polynomial& c : sum.argument.coefficients()) sizes.push_back(log2_of_size(c, r));
-    bits += std::max(0.0, log2_of_sum(sizes));
+    const Polynomial& lead = sum.argument.coefficients().back();
+    bits += std::max(0.0, log2_of_sum(sizes) - log2_of_least_value(lead, sum.index));
   }
   return std::log10(2.0) * (bits + std::log2(3.0 * static_cast<double>(n * n)));
 }

@@ -42,7 +42,7 @@ const Antiderivative& whole(const RmfAngle& angle) {
 
 /// Of the angle at t, which begins at 0.
 Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
-  return difference_without_logarithms(angle.angle_to_erf(), 0, t);
+  return difference_without_logarithms(angle.without_logarithms(), 0, t);
 }
 
 /// θ(t): at a rational number next to t, and from there θ′ on a ball that holds both.

@@ -97,30 +97,43 @@ RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, const Vector<Rational>&
 
 RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> to_frame,
                    Form form) {
-  Parts parts{rate_to_erf(not_zero(preimage)), {}, {}, std::move(to_frame), {}};
-  auto& [rate, angle_to_erf, antiderivative, bend, argument, phase] = parts;
+  Parts parts{{}, rate_to_erf(not_zero(preimage)), form, {}, std::move(to_frame), {}};
+  auto& bend = parts.bend;
+  RationalFunction& to_erf = parts.rate_to_erf;
+  parts.rate = to_erf;
   if (bend) {
     const RationalFunction bend_rate = rate_of_argument(*bend);
-    if (rate + bend_rate == RationalFunction()) {
+    if (to_erf + bend_rate == RationalFunction()) {
       // As of a plane curve, whose Frenet frame is rotation-minimizing: θ ≡ 0.
-      rate = {};
+      parts.rate = {};
+      to_erf = {};
       bend.reset();
     } else if (degree(*bend) == 0) {
       bend.reset();  // a constant argument
     } else {
-      argument.emplace(*bend);
+      parts.rate = to_erf + bend_rate;
+      parts.argument.emplace(*bend);
     }
   }
-  angle_to_erf = integrate(rate, form);
-  antiderivative = angle_to_erf;
-  evaluator_ = Evaluator(angle_to_erf, rate);
-  if (bend) {
-    antiderivative.logs.push_back(argument_as_logs(*bend));
-    rate = rate + rate_of_argument(*bend);
-    if (!(differentiate(antiderivative) == rate))
-      throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
-  }
+  const AlgebraicPart part = algebraic_part(to_erf);
+  parts.without_logarithms = part.F;
+  evaluator_ = Evaluator(part.F, to_erf, simple_fractions(part.rest));
   parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+const Antiderivative& RmfAngle::angle_to_erf() const {
+  return parts_->angle_to_erf.get([&] { return integrate(parts_->rate_to_erf, parts_->form); });
+}
+
+const Antiderivative& RmfAngle::antiderivative() const {
+  return parts_->antiderivative.get([&] {
+    Antiderivative theta = angle_to_erf();
+    if (!bend()) return theta;
+    theta.logs.push_back(argument_as_logs(*bend()));
+    if (!(differentiate(theta) == rate()))
+      throw Error("RmfAngle: the check failed, the derivative of the angle is not its rate");
+    return theta;
+  });
 }
 
 /// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision

@@ -45,14 +45,17 @@ class RmfAngle {
   /// θ′ in lowest terms.
   const RationalFunction& rate() const { return parts_->rate; }
   /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
-  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0.
-  const Antiderivative& angle_to_erf() const { return parts_->angle_to_erf; }
+  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0. Found when it is first asked for: no value needs
+  /// its form.
+  const Antiderivative& angle_to_erf() const;
+  /// The same without its logarithms.
+  const Antiderivative& without_logarithms() const { return parts_->without_logarithms; }
   /// g without its real factor; none where its argument is constant or θ ≡ 0, and to the
   /// Euler–Rodrigues frame.
   const std::optional<GaussianPolynomial>& bend() const { return parts_->bend; }
   /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
-  const Antiderivative& antiderivative() const { return parts_->antiderivative; }
+  const Antiderivative& antiderivative() const;
 
   /// θ(t) + start, exact where it is rational, else transcendental, so that it rounds correctly.
   /// That it is rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many
@@ -71,10 +74,13 @@ class RmfAngle {
  private:
   struct Parts {
     RationalFunction rate;
-    Antiderivative angle_to_erf;
-    Antiderivative antiderivative;
+    RationalFunction rate_to_erf;  ///< θ′ without that of the argument of the bend
+    Form form;
+    Antiderivative without_logarithms;
     std::optional<GaussianPolynomial> bend;
-    std::optional<ContinuousArgument> argument;       ///< of the bend
+    std::optional<ContinuousArgument> argument;  ///< of the bend
+    Lazy<Antiderivative> angle_to_erf{};
+    Lazy<Antiderivative> antiderivative{};
     Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
   };
 
