@@ -60,6 +60,14 @@ TEST_CASE("cas formula: a sum over roots in each language") {
   CHECK(written(Language::pari) == "vecsum([2*z*log(x - z) | z <- polroots('z^3 + 1)])");
 }
 
+TEST_CASE("cas formula: an argument is divided by its leading coefficient, to be x − z again") {
+  const Antiderivative F{{}, {}, {{{1, 0, 0, 1}, {0, 1}, Bivariate({{5, -1}, {0, 0, 3}})}}};
+  CHECK(cas_formula(F, Language::pari, "x") ==
+        "vecsum([z*log((3*z^2*x + (-z + 5))/(3*z^2)) | z <- polroots('z^3 + 1)])");
+  CHECK(cas_formula(F, Language::mathematica, "x") ==
+        "RootSum[#^3 + 1 &, #*Log[(3*#^2*x + (-# + 5))/(3*#^2)] &]");
+}
+
 TEST_CASE("cas formula: the letter of a sum is not the variable") {
   CHECK(cas_formula(over_poles(), Language::sympy, "z").find("Lambda(w, ") != std::string::npos);
   CHECK(cas_formula(over_poles(), Language::sympy, "w").find("Lambda(z, ") != std::string::npos);
