@@ -95,8 +95,10 @@ slong rounded_root(slong x) {
 Word value_of(const ModularPolynomial& form, const ModularPolynomial& a) {
   const nmod_t mod = a.raw()->mod;
   const slong length = std::min(form.degree(), a.degree()) + 1;
-  return _nmod_vec_dot(form.raw()->coeffs, a.raw()->coeffs, length, mod,
-                       _nmod_vec_dot_bound_limbs(length, mod));
+  Word sum = 0;
+  for (slong k = 0; k < length; ++k)
+    sum = nmod_add(sum, nmod_mul(form.raw()->coeffs[k], a.raw()->coeffs[k], mod), mod);
+  return sum;
 }
 
 // With w = ⌈√count⌉, ℓ(c^{wj+i}) is in row j, column i of the product of the forms ℓ∘c^{wj} (rows)

@@ -96,6 +96,7 @@ TEST_CASE("definite: what is antisymmetric about the middle of the path is 0, ex
     CHECK(more.value(0, 1).exact() == Rational(1));
     const GaussianPolynomial phase{{1, 1}, {1}};
     CHECK_FALSE(angle.multiple_of_pi(0, 1, phase));
+    CHECK_FALSE(angle.multiple_of_pi(0, Rational(2, 3), {{1}, {}}));
     CHECK(angle.multiple_of_pi(0, 1, {{1, -1}, {0, 1}}) == Rational(1, 2));
   }
 }

@@ -9,6 +9,11 @@ TEST_CASE("argument of a logarithm: over a field of degree ≤ 2 it is monic") {
   const Bivariate v({Polynomial{3}, Polynomial{1, 2}});
   CHECK(short_argument(v, {-2, 0, 1}) ==
         Bivariate({Polynomial{Rational(-3, 7), Rational(6, 7)}, Polynomial{1}}));
+  const Rational large{Integer("123456789012345678901234567890123456789")};
+  const Polynomial lead{1, large};  // 1/(1 + lx) = (1 − lx)/(1 − 2l²)
+  const Rational norm = 1 - 2 * large * large;
+  CHECK(short_argument(Bivariate({Polynomial{3}, lead}), {-2, 0, 1}) ==
+        Bivariate({Polynomial{3 / norm, -3 * large / norm}, Polynomial{1}}));
   CHECK(short_argument(v, {-5, 1}) == Bivariate({Polynomial{Rational(3, 11)}, Polynomial{1}}));
 }
 
