@@ -6,6 +6,8 @@
 // coefficients are constants then, and only then.
 #include "phrame/algebra/decomposition.hpp"
 
+#include "phrame/algebra/resultant.hpp"
+
 namespace phrame {
 namespace {
 
@@ -64,7 +66,9 @@ std::optional<Decomposition> widest_decomposition(const Polynomial& n, const Pol
 // a pole h(t) on the way would be one at t, also where h′(t) = 0, if d is squarefree. So the
 // integral is G(h(b)) − G(h(a)) = 0.
 bool closes(const Polynomial& n, const Polynomial& d, const Rational& a, const Rational& b) {
-  for (long k = 2; k <= d.degree(); ++k) {
+  const long distinct = distinct_residues_modulo_a_prime(n, d);
+  const long most = distinct == 0 ? 0 : d.degree() / distinct;  // each is met deg h times
+  for (long k = 2; k <= most; ++k) {
     if (d.degree() % k != 0) continue;
     const Polynomial h = inner_candidate(d, k);
     if (h(a) == h(b) && decomposition(n, d, k)) return true;

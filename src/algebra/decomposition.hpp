@@ -22,7 +22,8 @@ std::optional<Decomposition> widest_decomposition(const Polynomial& n, const Pol
                                                   long most);
 
 /// Is there one with h(a) = h(b)? Then ∫ n/d from a to b is 0, if there is no pole between them, as
-/// where the fraction changes its sign under t → a + b − t. Requires deg d ≥ 1.
+/// where the fraction changes its sign under t → a + b − t. Requires d squarefree, deg n
+/// < deg d ≥ 1. Cost: mostly that of one prime, which denies repeated residues.
 bool closes(const Polynomial& n, const Polynomial& d, const Rational& a, const Rational& b);
 
 }  // namespace phrame
