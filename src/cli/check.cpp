@@ -8,6 +8,7 @@
 #include "phrame/io/better_reading.hpp"
 #include "phrame/io/frame_parameters.hpp"
 #include "phrame/io/write/check.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame::cli {
 namespace {
@@ -16,6 +17,7 @@ struct CheckOptions {
   CurveOptions curve;
   std::string frames;
   std::string tolerance = "1e-6";
+  std::string by = "t";
   StartOptions start;
   UpOption up;
   std::string quaternion;
@@ -55,16 +57,45 @@ bool lacks_parameters(const GivenTable& table, const Path& path) {
       table.frames, [&](const GivenFrame& frame) { return frame.t < 0 || frame.t > path.end(); });
 }
 
+const Names<std::optional<FrameParameter>>& parameter_names() {
+  static const Names<std::optional<FrameParameter>> names{
+      {"t", std::nullopt},  // or what fits
+      {"native", FrameParameter::native},
+      {"unit", FrameParameter::unit},
+      {"arc-length", FrameParameter::arc_length},
+      {"fraction", FrameParameter::fraction}};
+  return names;
+}
+
+/// Other t for the frames than those of the table, with how they are found; no value where these
+/// are right, or no others.
+std::optional<FrameParameters> parameters_on(const NamedPath& named, const GivenTable& table,
+                                             const std::optional<FrameParameter>& by) {
+  if (by) {
+    FrameParameters found = parameters_by(*by, named, table.frames);
+    found.what.clear();  // as was asked for
+    return found;
+  }
+  if (table.has_parameters)
+    if (auto found = better_parameters(named, table.frames)) {
+      found->what = "t is taken for " + found->what;
+      return found;
+    }
+  if (!lacks_parameters(table, named.path)) return std::nullopt;
+  FrameParameters found = frame_parameters(named.path, table.positions);
+  found.what = "t is taken from the positions: " + found.what;
+  return found;
+}
+
 /// The frames, on the curve; `reading` gets their parameters where the table has others.
-GivenTable read_on(const Path& path, const std::string& bytes, const std::string& file,
-                   FrameReading& reading) {
+GivenTable read_on(const NamedPath& named, const std::string& bytes, const std::string& file,
+                   const std::optional<FrameParameter>& by, FrameReading& reading) {
   GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
   for (const std::string& text : table.notes) note_at_end(fmt::format("{}: {}", file, text));
-  if (!lacks_parameters(table, path)) return table;
-  FrameParameters found =
-      at_place(file, ":", [&] { return frame_parameters(path, table.positions); });
-  note_at_end(fmt::format("{}: t is taken from the positions: {}", file, found.what));
-  reading.parameters = std::move(found.t);
+  auto found = at_place(file, ":", [&] { return parameters_on(named, table, by); });
+  if (!found) return table;
+  if (!found->what.empty()) note_at_end(fmt::format("{}: {}", file, found->what));
+  reading.parameters = std::move(found->t);
   return read_frames(bytes, reading);
 }
 
@@ -96,7 +127,10 @@ void run(const Command& command, const CheckOptions& options) {
   options.start.check(named.path, measure.up);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
-  const GivenTable table = read_on(named.path, bytes, file, reading);
+  const auto by = choose<std::optional<FrameParameter>>("--by", options.by, parameter_names());
+  if (by == FrameParameter::unit && named.path.segments().size() == 1)
+    throw InputError("--by", "\"unit\" is t itself along one segment");
+  const GivenTable table = read_on(named, bytes, file, by, reading);
   if (!table.has_quaternions && !table.has_matrices)
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
@@ -122,6 +156,10 @@ void add_check(Program& program) {
                        "a table of frames (text or .npy), \"-\" for standard input");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
+  command.add_choice("--by", options->by, keys(parameter_names()),
+                     "what t is: t (default; where the frames are not the curve's by that, what\n"
+                     "fits, and a line on stderr says what), native (the parameter of the curve's\n"
+                     "file), unit (0 to 1), arc-length or fraction (of it)");
   options->start.add_to(command, StartOptions::Rule::least_rotation,
                         "the default is as the first sample");
   options->up.add_to(command,

@@ -43,7 +43,7 @@ struct TabulatedFrames {
   std::vector<Rational> numbers;
 };
 
-enum class By { parameter, arc_length };
+enum class By { parameter, native, arc_length };
 /// Which segment a corner belongs to.
 enum class Side { left, right, both };
 
@@ -80,6 +80,20 @@ void take_sides(std::vector<Place>& at, std::vector<Rational>& numbers, const Pa
   }
   at = std::move(places);
   numbers = std::move(all);
+}
+
+/// Those of --at, and of --samples from the first to the last value of the parameter of the file.
+std::vector<Rational> native_numbers(const Parameters& parameters, const NamedPath& named) {
+  const std::vector<Real>& joints = named.parameters;
+  if (parameters.samples == 0 || joints.empty()) return parameters.values();
+  if (!joints.front().exact() || !joints.back().exact())
+    throw InputError("--samples", "the parameter of the file ends at no fraction: --at is wanted");
+  const Rational from = *joints.front().exact();
+  const Rational length = *joints.back().exact() - from;
+  std::vector<Rational> numbers = Parameters{parameters.at, 0}.values();
+  for (const Rational& share : Parameters{{}, parameters.samples}.values())
+    numbers.push_back(from + length * share);
+  return numbers;
 }
 
 /// Where the arc length from the start has the values asked for; at a joint the later segment.
@@ -172,6 +186,9 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
   if (by == By::parameter) {
     numbers = options.parameters.values(path.end());
     at = points(numbers, path, has_twist);
+  } else if (by == By::native) {
+    numbers = native_numbers(options.parameters, named);
+    for (const Rational& x : numbers) at.push_back(native_place(named, x));
   } else {
     const PathLength length(path);
     numbers = options.parameters.values(length_below(length.total()));
@@ -187,7 +204,8 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
 
 TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
   const By by =
-      choose<By>("--by", options.by, {{"t", By::parameter}, {"arc-length", By::arc_length}});
+      choose<By>("--by", options.by,
+                 {{"t", By::parameter}, {"native", By::native}, {"arc-length", By::arc_length}});
   chosen.start = options.start.start();
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
@@ -254,8 +272,9 @@ void add_frames(Program& program) {
       "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
   command.add_number("--digits", options->digits, {1, 100'000},
                      "decimals with N digits, correctly rounded, instead of doubles");
-  command.add_choice("--by", options->by, {"t", "arc-length"},
-                     "t (default), or arc-length: --at and --samples mean arc lengths from t = 0");
+  command.add_choice("--by", options->by, {"t", "native", "arc-length"},
+                     "what --at and --samples mean: t (default), native: the parameter of the\n"
+                     "file, as knots, times and s of formulas are, or arc-length from t = 0");
   command.add_choice("--side", options->side, {"right", "left", "both"},
                      "right (default), left or both: the frame behind a corner, where the tangent\n"
                      "breaks at a joint, that before it, or a row for each");

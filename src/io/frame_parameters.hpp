@@ -1,9 +1,19 @@
 #pragma once
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
 namespace phrame {
 
-/// Where on a path frames are that say their positions, but not their parameters.
+/// What the t of a table of frames may be.
+enum class FrameParameter {
+  span,        ///< our t, 0 to the number of segments
+  native,      ///< the parameter of the file of the path
+  unit,        ///< 0 to 1 from start to end, each segment as long as any other
+  arc_length,  ///< the arc length from the start
+  fraction,    ///< of the whole length, 0 to 1
+};
+
+/// Where on a path frames are, by something else than its t.
 struct FrameParameters {
   std::vector<Rational> t;
   std::string what;  ///< "the times, from start to end of the curve", for a note
@@ -14,5 +24,17 @@ struct FrameParameters {
 /// positions on the curve (are_on_curve): of several, where they are nearest. Throws InputError,
 /// without a place, where none has to within 1/1000.
 FrameParameters frame_parameters(const Path& path, const std::vector<GivenPosition>& positions);
+
+/// The t of frames whose parameter is meant like that; a t that is irrational to within 2^−160.
+/// Throws DomainError for what is outside of the path, and where its file has no parameter.
+FrameParameters parameters_by(FrameParameter kind, const NamedPath& named,
+                              const std::vector<GivenFrame>& frames);
+
+/// Where the frames, at their t, are not the path's, by their tangents, f₂ × f₃ or f₂ alone, and
+/// are by one of the other kinds to within 10⁻⁶; or by tangents within 1/5, and where the tangents
+/// of the path next to there are those of the frames to within 10⁻⁶. No value where they are the
+/// path's as they are, where no kind fits, and for more than 20 000 frames.
+std::optional<FrameParameters> better_parameters(const NamedPath& named,
+                                                 const std::vector<GivenFrame>& frames);
 
 }  // namespace phrame

@@ -78,7 +78,7 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
   add_curves(here);
   check_failure(here.run("frames quintic.json --by arc-length"), 2, "--samples N or --at");
   check_failure(here.run("frames quintic.json --by length --at 0"), 2,
-                "--by: \"length\" is not one of t, arc-length");
+                "--by: \"length\" is not one of t, native, arc-length");
   check_failure(
       here.run("frames quintic.json --at 0 --columns speed"), 2,
       "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "

@@ -2,8 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/any_path.hpp"
+#include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 
 namespace frame_parameters_test {
 
@@ -48,6 +55,84 @@ TEST_CASE("frame parameters: joints, times and equal steps are told by the posit
 TEST_CASE("frame parameters: positions that fit nowhere are refused") {
   CHECK_THROWS_AS(frame_parameters(spline(), positions({0, 1, 3}, {0, 1, 2})), InputError);
   CHECK_THROWS_AS(frame_parameters(spline(), positions({0}, {0})), InputError);
+}
+
+namespace {
+
+/// Frames of the rotation-minimizing kind at these t, which they give as others.
+std::vector<GivenFrame> frames_at(const NamedPath& named, const std::vector<Rational>& t,
+                                  const std::vector<Rational>& given) {
+  const PathAngle angle(named.path);
+  std::vector<GivenFrame> frames;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const auto exact = [](const Vector<Real>& v) {
+      const Vector<double> x = round_to_double(v);
+      return Vector<Rational>{exact_rational(x[0]), exact_rational(x[1]), exact_rational(x[2])};
+    };
+    const Frame<Real> frame = rotation_minimizing_frame(angle, locate(named.path, t[k]));
+    frames.push_back({given[k], exact(frame.e2), exact(frame.e3), exact(frame.e1)});
+  }
+  return frames;
+}
+
+const std::vector<Rational> some{0, Rational(7, 10), Rational(3, 2), Rational(29, 10), 3};
+
+double farthest(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+  double worst = a.size() == b.size() ? 0 : 1;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    worst = std::max(worst, std::abs(round_to_double(Rational(a[k] - b[k]))));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("frame parameters: frames that are the curve's at their t stay there") {
+  CHECK_FALSE(better_parameters({"", spline()}, frames_at({"", spline()}, some, some)));
+}
+
+TEST_CASE("frame parameters: those of the file, shares and lengths are told by the tangents") {
+  const NamedPath named = read_any_path("t,x,y,z\n0,0,0,0\n1,1,1,0\n3,2,1,1\n4,4,0,1\n");
+  const PathLength length(named.path);
+  std::vector<Rational> lengths, shares, units;
+  const Rational whole = exact_rational(round_to_double(length.total()));
+  for (const Rational& t : some) {
+    lengths.push_back(exact_rational(round_to_double(length.value(locate(named.path, t)))));
+    shares.push_back(t == 3 ? Rational(1) : Rational(lengths.back() / whole));
+    units.push_back(t / 3);
+  }
+  const std::vector<Rational> native{0, Rational(7, 10), 2, Rational(39, 10), 4};
+  for (const auto& [given, what] :
+       {std::pair(native, "the parameter of the file"),
+        std::pair(units, "t over the number of segments"), std::pair(shares, "the share"),
+        std::pair(lengths, "the arc")}) {
+    CAPTURE(what);
+    const auto found = better_parameters(named, frames_at(named, some, given));
+    REQUIRE(found);
+    CHECK(found->what.starts_with(what));
+    CHECK(farthest(found->t, some) < 1e-14);
+  }
+}
+
+TEST_CASE("frame parameters: near to where they fit they are moved along the tangents") {
+  const NamedPath named{"", spline()};
+  const Rational off(1, 1000);
+  std::vector<Rational> given{0};
+  for (const Rational& t : some)
+    if (t != 0) given.push_back(t == 3 ? Rational(1) : Rational(t / 3 + off));
+  const auto found = better_parameters(named, frames_at(named, some, given));
+  REQUIRE(found);
+  CHECK(found->what.find("moved to where the tangents") != std::string::npos);
+  CHECK(farthest(found->t, some) < 1e-12);
+}
+
+TEST_CASE("frame parameters: of formulas the parameter is s, from and to where they are") {
+  const NamedPath arc = read_any_path(R"json({"phrame": "curve/1", "from": 0, "to": "pi/4",
+      "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s/3"}})json");
+  REQUIRE(arc.parameters.size() == 2);
+  const Real t = native_place(arc, Rational(1, 2)).t;
+  CHECK(std::abs(round_to_double(t) - 2 / M_PI) < 1e-16);
+  CHECK_THROWS_AS(native_place(arc, Rational(4, 5)), DomainError);
+  CHECK_THROWS_AS(native_place({"", spline()}, 0), DomainError);  // it was read, but not kept
 }
 
 }  // namespace frame_parameters_test

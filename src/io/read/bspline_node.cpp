@@ -106,10 +106,10 @@ std::vector<GivenSegment> bspline_segments(const JsonNode& node, const BSplineKe
     fail_in(knots, fault->index ? list.index[at] : 0);
   }
   std::vector<GivenSegment> segments;
-  for (const auto& [curve, lower, upper] : bezier_pieces(spline))
-    segments.push_back(bezier_segment(
-        curve, knots.place(),
-        fmt::format("between the knots {} and {}", as_written(lower), as_written(upper))));
+  for (const BezierPiece& piece : bezier_pieces(spline))
+    segments.push_back(span_segment(piece, knots.place(),
+                                    fmt::format("between the knots {} and {}",
+                                                as_written(piece.lower), as_written(piece.upper))));
   return segments;
 }
 

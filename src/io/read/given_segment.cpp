@@ -3,10 +3,19 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/joints.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
 namespace {
+
+/// A constant, exact where its form shows a fraction.
+Real value_of(const Formula& f) {
+  FormulaProgram program;
+  const auto value = program.insert(f, program.number(0));
+  if (const Rational* x = program.rational(value)) return *x;
+  return Real([f](long bits) { return constant_value(f, bits + 8); });
+}
 
 /// A PH curve where it is one; what the segment is is taken from it.
 Segment taken_curve(GivenSegment& segment) {
@@ -29,6 +38,13 @@ GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& pla
   } catch (const DomainError& error) {
     throw InputError(place, part.empty() ? error.what() : part + ": " + error.what());
   }
+}
+
+GivenSegment span_segment(const BezierPiece& piece, const std::string& place,
+                          const std::string& part) {
+  GivenSegment segment = bezier_segment(piece.curve, place, part);
+  segment.parameters = {piece.lower, piece.upper};
+  return segment;
 }
 
 std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
@@ -57,9 +73,30 @@ Vector<Rational> end_point(const GivenSegment& segment) {
   return result;
 }
 
+namespace {
+
+/// Of segments that follow each other; empty where they have none.
+std::vector<Real> parameters_of(const std::vector<GivenSegment>& segments) {
+  if (const auto* curve = std::get_if<ExpressionCurve>(&segments.front().form);
+      curve != nullptr && segments.size() == 1)
+    return {value_of(curve->from()), value_of(curve->to())};
+  std::vector<Real> joints;
+  for (const GivenSegment& segment : segments) {
+    if (!segment.parameters) return {};
+    const auto& [from, to] = *segment.parameters;
+    if (from >= to || (!joints.empty() && joints.back().exact() != from)) return {};
+    if (joints.empty()) joints.emplace_back(from);
+    joints.emplace_back(to);
+  }
+  return joints;
+}
+
+}  // namespace
+
 NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
                   const std::optional<Rational>& gap) {
   const std::string closed = close_gaps(segments, gap);
+  std::vector<Real> parameters = parameters_of(segments);
   Path path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) {
     try {
@@ -70,6 +107,7 @@ NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
   }
   NamedPath named(std::move(name), std::move(path));
   if (!closed.empty()) named.notes.push_back(closed);
+  named.parameters = std::move(parameters);
   return named;
 }
 

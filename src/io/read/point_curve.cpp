@@ -64,8 +64,9 @@ std::vector<GivenSegment> segments_of(const CubicInterpolation& data,
   std::vector<GivenSegment> segments;
   segments.reserve(data.points.size());
   for (std::size_t k = 0; k + 1 < data.points.size(); ++k)
-    segments.push_back(
-        bezier_segment({cubic_piece(data, derivatives, k)}, place(k), "the curve from here on"));
+    segments.push_back(span_segment(
+        {{cubic_piece(data, derivatives, k)}, data.parameters[k], data.parameters[k + 1]}, place(k),
+        "the curve from here on"));
   return segments;
 }
 

@@ -72,10 +72,11 @@ PointCurve read_bspline(const JsonNode& t, const JsonNode& c, const JsonNode& k,
   spline.points.resize(static_cast<std::size_t>(count));
   if (const auto fault = fault_of(spline)) t.fail(fault->reason);
   PointCurve curve;
-  for (const auto& [bezier, lower, upper] : bezier_pieces(spline))
-    curve.segments.push_back(bezier_segment(
-        bezier, t.place(),
-        fmt::format("between the knots {} and {}", as_written(lower), as_written(upper))));
+  for (const BezierPiece& piece : bezier_pieces(spline))
+    curve.segments.push_back(
+        span_segment(piece, t.place(),
+                     fmt::format("between the knots {} and {}", as_written(piece.lower),
+                                 as_written(piece.upper))));
   return curve;
 }
 
@@ -167,6 +168,7 @@ Pieces read_pieces(const JsonNode& c, const JsonNode& x, const CurveLimits& limi
 
 PointCurve read_ppoly(const JsonNode& c, const JsonNode& x, const CurveLimits& limits) {
   Pieces pieces = read_pieces(c, x, limits);
+  const std::vector<Rational> breaks = x.numbers();
   PointCurve curve;
   if (c.size() == 4 && pieces.beziers.size() > 1)
     if (const Rational apart = join(pieces, c); apart > 0)
@@ -175,8 +177,8 @@ PointCurve read_ppoly(const JsonNode& c, const JsonNode& x, const CurveLimits& l
           "their values and derivatives at the breakpoints",
           upper_bound_text(apart)));
   for (std::size_t k = 0; k < pieces.beziers.size(); ++k)
-    curve.segments.push_back(
-        bezier_segment(pieces.beziers[k], x.item(k).place(), "the curve from here on"));
+    curve.segments.push_back(span_segment({pieces.beziers[k], breaks[k], breaks[k + 1]},
+                                          x.item(k).place(), "the curve from here on"));
   return curve;
 }
 

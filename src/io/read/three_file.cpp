@@ -164,8 +164,8 @@ Segments read_three_nurbs(const JsonNode& node, const CurveLimits& limits) {
   }
   if (const auto fault = fault_of(spline)) node.fail(fault->reason);
   Segments segments;
-  for (const auto& [curve, lower, upper] : bezier_pieces(spline))
-    segments.push_back(bezier_segment(curve, knots.place()));
+  for (const BezierPiece& piece : bezier_pieces(spline))
+    segments.push_back(span_segment(piece, knots.place()));
   return segments;
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "phrame/algebra/real.hpp"
 #include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/curve/segment.hpp"
 
@@ -89,6 +90,9 @@ struct NamedPath {
   std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
   /// How near it is to the one in whose place it stands, where that is no PH path.
   std::optional<Nearness> near = {};
+  /// The parameter that its file has, at t = 0, 1, …, as knots are; between them it is a linear
+  /// function of t. Empty where there is none, or it is t.
+  std::vector<Real> parameters = {};
 
   /// A path under this name.
   NamedPath(std::string its_name, Path its_path)

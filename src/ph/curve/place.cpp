@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -59,6 +63,35 @@ std::optional<RealAlgebraic> algebraic_number(const Place& at) {
   if (at.t.exact()) return RealAlgebraic(*at.t.exact());
   if (at.algebraic) return at.algebraic->number();
   return std::nullopt;
+}
+
+namespace {
+
+/// "[0, 12.5663706]"
+std::string range_text(const Real& from, const Real& to) {
+  const auto text = [](const Real& x) {
+    return x.exact() ? as_written(*x.exact()) : to_string(x.enclose(64), 9);
+  };
+  return fmt::format("[{}, {}]", text(from), text(to));
+}
+
+}  // namespace
+
+Place native_place(const NamedPath& named, const Rational& x) {
+  const std::vector<Real>& joints = named.parameters;
+  if (joints.empty()) throw DomainError("the file of the path has no parameter of its own but t");
+  const int sense = sign_of(joints[1] + -joints[0]);
+  const auto is_before = [&](const Real& joint) { return sense * sign_of(Real(x) + -joint) < 0; };
+  if (is_before(joints.front()) || sense * sign_of(Real(x) + -joints.back()) > 0)
+    throw DomainError(fmt::format("{} is outside {}, what the parameter of the file goes through",
+                                  as_written(x), range_text(joints.front(), joints.back())));
+  const auto behind = std::partition_point(joints.begin() + 1, joints.end() - 1,
+                                           [&](const Real& joint) { return !is_before(joint); });
+  const auto k = static_cast<std::size_t>(behind - joints.begin()) - 1;
+  const Real from = joints[k];
+  if (x == from.exact()) return {k, Rational(0)};
+  if (x == joints[k + 1].exact()) return {k, Rational(1)};
+  return {k, quotient_of(Real(x) + -from, joints[k + 1] + -from)};
 }
 
 Real parameter(const Place& at) { return at.t + Rational(static_cast<long>(at.segment)); }

@@ -23,6 +23,10 @@ struct Place {
       : Place(at.segment, at.t) {}
 };
 
+/// Where the parameter that the file of the path has is x. Throws DomainError where it has none, and
+/// for an x outside of what it goes through.
+Place native_place(const NamedPath& named, const Rational& x);
+
 /// The last point of the path.
 Place end_of(const Path& path);
 /// t of the place, where it is known to be algebraic.
