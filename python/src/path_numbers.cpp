@@ -42,7 +42,8 @@ void bind_totals(PathClass& path) {
       },                                                                                          \
       nb::sig("def " name "(self) -> " PHRAME_REAL_SIG type), what)
   PHRAME_TOTAL("length", total_length, "", "∫ ds.");
-  PHRAME_TOTAL("total_curvature", total_curvature, "", "∫ κ ds, with the angles of corners, without the half turns at cusps.");
+  PHRAME_TOTAL("total_curvature", total_curvature, "",
+               "∫ κ ds, with the angles of corners, without the half turns at cusps.");
   PHRAME_TOTAL("total_torsion", total_torsion, "", "∫ τ ds.");
   PHRAME_TOTAL("bending_energy", bending_energy, " | float", "∫ κ² ds; infinite at most cusps.");
   PHRAME_TOTAL("frenet_energy", frenet_energy, " | float",
@@ -60,8 +61,22 @@ void bind_totals(PathClass& path) {
                 [along = path_of(self).named.path] { return self_linking_of(along); });
           },
           nb::sig("def self_linking_number(self) -> int | None"),
-          "How often a closed path is linked with its copy along the principal normals, where those "
+          "How often a closed path is linked with its copy along the principal normals, where "
+          "those "
           "are continuous; else None.")
+      .def(
+          "linking_number",
+          [](nb::handle self, nb::handle other) {
+            if (!nb::isinstance<PathObject>(other)) refuse_type("other", "a Path", other);
+            return without_gil(
+                [first = path_of(self).named.path, second = path_of(other).named.path] {
+                  return linking_number(first, second);
+                });
+          },
+          argument("other"), nb::sig("def linking_number(self, other: Path) -> int"),
+          "How often two closed paths are linked: the crossings that a projection shows, with "
+          "their "
+          "signs, are proved to be all.")
       .def_prop_ro(
           "corner_angles",
           [](nb::handle self) {

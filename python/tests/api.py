@@ -27,6 +27,7 @@ class Rdd:
 
 
 CUBIC = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+RING, OTHER_RING = (phrame.Path.expressions(*r, 0, "2*pi") for r in (("cos(s)", "sin(s)", "0"), ("1 + cos(s)", "0", "sin(s)")))
 THETA = QUINTIC.angle()
 REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
@@ -89,6 +90,7 @@ API = {
     "Path.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
     "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
     "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
+    "Path.linking_number": (RING.linking_number, {"other": OTHER_RING}),
     "Path.from_scipy": (phrame.Path.from_scipy, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),
     "Path.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
     "Path.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],

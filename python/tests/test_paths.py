@@ -197,3 +197,10 @@ def test_a_path_with_corners():
     f2 = cube.frames([0.5, 1.5, 2.5])[:, 1]  # along x, y and z: the least rotations are quarter turns
     assert np.array_equal(f2, [[0, 1, 0], [-1, 0, 0], [-1, 0, 0]])
     assert CUBIC.corners == () and CUBIC.corner_angles == ()
+
+
+def test_two_rings_are_linked():
+    a, b = (phrame.Path.expressions(x, y, z, 0, "2*pi") for x, y, z in (("cos(s)", "sin(s)", "0"), ("1 + cos(s)", "0", "sin(s)")))
+    assert a.linking_number(b) == b.linking_number(a) == -1
+    with pytest.raises(phrame.DomainError, match="the second curve is not closed"):
+        a.linking_number(CUBIC)

@@ -86,6 +86,16 @@ void add_holonomy(Totals& totals, const PathAngle& angle, const Real& length) {
   }
 }
 
+void add_linking(Totals& totals, const Path& path, const Path& other) {
+  try {
+    totals.add(Quantity::linking, Real(Rational(linking_number(path, other))));
+  } catch (const DomainError& error) {
+    totals.add_reason(Quantity::linking, error.what());
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::linking, std::string("undecided: ") + undecided.what());
+  }
+}
+
 }  // namespace
 
 const char* name_of(Quantity quantity) {
@@ -113,9 +123,11 @@ const char* name_of(Quantity quantity) {
     case Quantity::writhe:
       return "writhe";
     case Quantity::self_linking:
+      return "self-linking number";
+    case Quantity::linking:
       break;
   }
-  return "self-linking number";
+  return "linking number";
 }
 
 TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
@@ -147,9 +159,11 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
     for (const Quantity quantity :
          {Quantity::holonomy, Quantity::closing_turn, Quantity::writhe, Quantity::self_linking})
       totals.add_reason(quantity, "undecided: " + closed.undecided);
-  if (closed.is_closed != true) return answer;
-  add_holonomy(totals, angle, length.value);
-  for (Row& row : writhe_rows(path, query.digits)) answer.rows.push_back(std::move(row));
+  if (closed.is_closed == true) {
+    add_holonomy(totals, angle, length.value);
+    for (Row& row : writhe_rows(path, query.digits)) answer.rows.push_back(std::move(row));
+  }
+  if (query.other) add_linking(totals, path, query.other->path);
   return answer;
 }
 

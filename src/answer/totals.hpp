@@ -6,7 +6,8 @@ namespace phrame {
 
 /// What does a path gather from its start to its end?
 struct TotalsQuery {
-  long digits = 17;  ///< of all values
+  long digits = 17;                               ///< of all values
+  std::optional<NamedPath> other = std::nullopt;  ///< with which a closed path may be linked
 };
 
 /// What a path gathers.
@@ -25,6 +26,7 @@ enum class Quantity {
   closing_turn,  ///< −holonomy/length
   writhe,        ///< Gauss's integral over the curve twice
   self_linking,  ///< writhe + ∫ τ ds/2π, whole
+  linking,       ///< with the other closed path, whole
 };
 
 /// "twist of the ERF".

@@ -187,6 +187,8 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
     numbers = options.parameters.values(path.end());
     at = points(numbers, path, has_twist);
   } else if (by == By::native) {
+    if (named.parameters.empty())
+      throw InputError("--by", "native: the file of the curve has no parameter but t");
     numbers = native_numbers(options.parameters, named);
     for (const Rational& x : numbers) at.push_back(native_place(named, x));
   } else {

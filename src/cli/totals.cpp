@@ -10,12 +10,18 @@ struct TotalsOptions {
   std::string print = "text";
   TextLength length;
   long digits = 17;
+  std::optional<std::string> other;
 };
 
 void run(const TotalsOptions& options) {
   const auto print = choose<std::string (*)(const TotalsAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  const TotalsQuery query{options.digits};
+  TotalsQuery query{options.digits};
+  if (options.other) {
+    CurveOptions other = options.curve;
+    other.path = *options.other;
+    query.other = other.read_any_path();
+  }
   const NamedPath path = options.curve.read_any_path();
   options.length.write(options.curve.output, print(answer(path, query)));
 }
@@ -28,6 +34,8 @@ void add_totals(Program& program) {
   const auto options = std::make_shared<TotalsOptions>();
   options->curve.add_to(command);
   add_digits(command, options->digits);
+  command.add_option("--linked-with", "FILE", options->other,
+                     "another closed curve: how often the two are linked");
   command.add_format("--print", options->print, {"text", "json", "latex"},
                      "text (default), json or latex");
   options->length.add_to(command);
@@ -38,9 +46,10 @@ void add_totals(Program& program) {
       "These are answers, too: the exit status is 0. What is not elementary has no formula.\n"
       "Of a spline they are the sums over its segments, without the formulas. Curves that are not\n"
       "Pythagorean-hodograph have no formulas. Of closed ones there are the holonomy, the writhe\n"
-      "and the self-linking number, too.\n"
+      "and the self-linking number, too, and with --linked-with the linking number of two.\n"
       "Examples:\n"
       "  phrame totals curve.json --digits 30\n"
+      "  phrame totals ring.json --linked-with other-ring.json\n"
       "  phrame totals curve.json --print json -o totals.json");
   command.does([options] { run(*options); });
 }

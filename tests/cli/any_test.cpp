@@ -208,3 +208,29 @@ TEST_CASE("any curve: in a path of several kinds PH segments keep their Euler-Ro
   CHECK(contains(frames.err, "segment 2 is no Pythagorean-hodograph curve"));
   check_failure(here.run("frames mixed.json --frame erf --samples 5"), 3, "segment 2 is no");
 }
+
+// The second ring crosses the disc that the first one goes around once, at 0, downwards.
+TEST_CASE("any curve: two rings are linked once, by both orders, and not with one far away") {
+  const Workshop here;
+  const auto ring = [](const std::string& x, const std::string& y, const std::string& z) {
+    return R"json({"phrame": "curve/1", "from": 0, "to": "2*pi", "expressions": {"x": ")json" + x +
+           R"json(", "y": ")json" + y + R"json(", "z": ")json" + z + "\"}}";
+  };
+  here.write("a.json", ring("cos(s)", "sin(s)", "0"));
+  here.write("b.json", ring("1 + cos(s)", "0", "sin(s)"));
+  here.write("c.json", ring("9 + cos(s)", "0", "sin(s)"));
+  here.write("open.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 0, 0], [1, 1, 1]]})");
+  const auto linking = [&](const std::string& files) {
+    const Run run = here.run("totals " + files + " --print json");
+    check_success(run);
+    return Json::parse(run.out)["linking"];
+  };
+  CHECK(linking("a.json --linked-with b.json")["exact"] == "-1");
+  CHECK(linking("b.json --linked-with a.json")["exact"] == "-1");
+  CHECK(linking("a.json --linked-with c.json")["exact"] == "0");
+  CHECK(linking("a.json --linked-with open.json")["reason"] ==
+        "linking number: the second curve is not closed");
+  CHECK(
+      linking("a.json --linked-with a.json")["reason"].get<std::string>().starts_with("undecided"));
+}

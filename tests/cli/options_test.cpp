@@ -116,6 +116,7 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--fps", "30"},
                                                 {"--places", "3"},
                                                 {"--question", "info"},
+                                                {"--linked-with", "spline.json"},
                                                 {"--pick", "left"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.

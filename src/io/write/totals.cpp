@@ -45,9 +45,11 @@ Label label(Quantity quantity) {
     case Quantity::writhe:
       return {"writhe", ""};
     case Quantity::self_linking:
+      return {"self_linking", ""};
+    case Quantity::linking:
       break;
   }
-  return {"self_linking", ""};
+  return {"linking", ""};
 }
 
 /// "twist of the ERF $∫ 2h/σ dt$".

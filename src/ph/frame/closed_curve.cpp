@@ -1,5 +1,7 @@
 #include "phrame/ph/frame/closed_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "phrame/algebra/ball_order.hpp"
@@ -115,6 +117,14 @@ Real closing_turn_per_length(const Real& holonomy, const Real& length) {
     const long more = bits + 16;
     return divide((-holonomy).enclose(more), length.enclose(more), more);
   });
+}
+
+long linking_number(const Path& first, const Path& second) {
+  for (const Path* path : {&first, &second})
+    if (!path->ends_meet())
+      throw DomainError(fmt::format("linking number: the {} curve is not closed",
+                                    path == &first ? "first" : "second"));
+  return linking_number(series_of(first), series_of(second));
 }
 
 long linking_number(const CurveSeries& first, const CurveSeries& second) {

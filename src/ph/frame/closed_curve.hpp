@@ -46,5 +46,7 @@ Real closing_turn_per_length(const Real& holonomy, const Real& length);
 /// The linking number of two closed curves, from the first of a few v that decides. Throws
 /// Undecided where none does, as where the curves meet.
 long linking_number(const CurveSeries& first, const CurveSeries& second);
+/// The same of paths. Throws DomainError where one of them is not closed, and likewise.
+long linking_number(const Path& first, const Path& second);
 
 }  // namespace phrame
