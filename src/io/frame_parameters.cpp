@@ -177,6 +177,15 @@ Rational moved_to_tangent(const Path& path, const Rational& t, const Vector<doub
   return exact_rational(at);
 }
 
+/// At most 65 of them, with the last one: whether all are where they say is seen of these.
+std::vector<GivenFrame> some_of(const std::vector<GivenFrame>& frames) {
+  std::vector<GivenFrame> some;
+  const std::size_t stride = 1 + frames.size() / 64;
+  for (std::size_t k = 0; k < frames.size(); k += stride) some.push_back(frames[k]);
+  if ((frames.size() - 1) % stride != 0) some.push_back(frames.back());
+  return some;
+}
+
 /// No value where some frame is outside of the path.
 std::optional<FrameParameters> try_parameters(FrameParameter kind, const NamedPath& named,
                                               const std::vector<GivenFrame>& frames) {
@@ -229,8 +238,9 @@ std::optional<FrameParameters> better_parameters(const NamedPath& named,
   constexpr std::size_t most_frames = 20'000;
   if (frames.size() > most_frames) return std::nullopt;
   const Path& path = named.path;
-  const auto as_they_are = try_parameters(FrameParameter::span, named, frames);
-  if (as_they_are && greatest_off(path, frames, as_they_are->t) <= is_tangent) return std::nullopt;
+  const std::vector<GivenFrame> few = some_of(frames);
+  const auto as_they_are = try_parameters(FrameParameter::span, named, few);
+  if (as_they_are && greatest_off(path, few, as_they_are->t) <= is_tangent) return std::nullopt;
   std::vector<FrameParameters> near;
   for (const FrameParameter kind : {FrameParameter::native, FrameParameter::unit,
                                     FrameParameter::fraction, FrameParameter::arc_length}) {
