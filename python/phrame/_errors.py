@@ -30,5 +30,9 @@ class DomainError(Error, ArithmeticError):
     """The question has no answer: a pole on the path, a Frenet frame of a straight line."""
 
 
+class MissingPart(DomainError, AttributeError):
+    """What this path does not have, as the preimage of one that is not PH: hasattr() says so."""
+
+
 class Undecided(Error, ArithmeticError):
     """There is an answer, but a limit was reached before it was proved."""

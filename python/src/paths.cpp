@@ -21,16 +21,23 @@ std::string why_not_ph(const Path& path) {
   return "segments[" + std::to_string(k) + "] is no Pythagorean-hodograph curve";
 }
 
+/// Throws a DomainError that is an AttributeError, too.
+[[noreturn]] void refuse_part(const std::string& message) {
+  const nb::object& type = imported("phrame._errors", "MissingPart");
+  PyErr_SetObject(type.ptr(), nb::object(type(message, nb::arg("reason") = message)).ptr());
+  throw nb::python_error();
+}
+
 const NamedPhPath& ph_of(const PathObject& path, const char* asked) {
-  if (!path.ph) throw DomainError(asked + (": " + why_not_ph(path.named.path)));
+  if (!path.ph) refuse_part(asked + (": " + why_not_ph(path.named.path)));
   return *path.ph;
 }
 
 const Curve& curve_of(const PathObject& path, const char* asked) {
   const auto& segments = ph_of(path, asked).path.segments();
   if (segments.size() > 1)
-    throw DomainError(asked + (": of one curve; there are " + std::to_string(segments.size()) +
-                               ", each in path.segments"));
+    refuse_part(asked + (": of one curve; there are " + std::to_string(segments.size()) +
+                         ", each in path.segments"));
   return segments.front();
 }
 

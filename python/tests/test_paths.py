@@ -204,3 +204,10 @@ def test_two_rings_are_linked():
     assert a.linking_number(b) == b.linking_number(a) == -1
     with pytest.raises(phrame.DomainError, match="the second curve is not closed"):
         a.linking_number(CUBIC)
+
+
+def test_what_a_path_does_not_have_is_no_attribute_of_it():
+    assert hasattr(QUINTIC, "preimage") and not hasattr(CUBIC, "preimage") and not hasattr(SPLINE, "preimage")
+    assert getattr(CUBIC, "sigma", None) is None
+    with pytest.raises(phrame.DomainError, match="no Pythagorean-hodograph curve"):
+        CUBIC.preimage
