@@ -23,6 +23,16 @@ RationalFunction scale_of(nb::handle scale) {
   }
 }
 
+/// The same, or a list of the values at the joints.
+SweepScale sweep_scale_of(nb::handle scale) {
+  if (PyUnicode_Check(scale.ptr()) != 0 || PySequence_Check(scale.ptr()) == 0)
+    return scale_of(scale);
+  std::vector<Rational> values;
+  for (const nb::handle value : scale) values.push_back(rational(value, "scale"));
+  if (values.size() < 2) refuse("scale", "of a list there are two values at least", scale);
+  return SweepScale(values);
+}
+
 Profile polygon_of(nb::handle corners) {
   std::vector<ProfilePoint> points;
   for (const nb::handle row :
@@ -93,11 +103,11 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                       nb::handle scale, nb::handle tolerance, nb::handle normal_tolerance,
                       nb::handle sections, nb::handle origin) {
   const PathObject& path = path_argument(given, "path");
-  const RationalFunction size = scale_of(scale);
+  const SweepScale size = sweep_scale_of(scale);
   const std::size_t segments = path.named.path.segments().size();
   double greatest = 1;
   try {
-    greatest = greatest_scale(size, segments);
+    greatest = size.greatest(segments);
   } catch (const DomainError& error) {
     refuse("scale", error.what(), scale);
   }
@@ -210,7 +220,8 @@ void bind_sweep(nb::module_& m) {
         argument("origin") = nb::none(),
         nb::sig(
             "def sweep(path: Path, profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
-            ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial "
+            ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial | "
+            "Numbers "
             "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
             "None = None, sections: int | None = None, origin: Vector | str | None = None) -> "
             "SweptBody"),

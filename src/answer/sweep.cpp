@@ -33,7 +33,7 @@ double turn_of(const SweepPath& path, const SweepQuery& query) {
   require_open(query.end_normal, true);
   const bool is_whole = query.twist.radians == 0 && denominator(query.twist.half_turns / 2) == 1;
   if (!is_whole) throw DomainError("twist: the path is closed, only whole turns close the body");
-  if (query.scale(0) != query.scale(Rational(static_cast<long>(path.series.segments))))
+  if (query.scale.at_start() != query.scale.at(Rational(static_cast<long>(path.series.segments))))
     throw DomainError("scale: the path is closed, and the scale differs at its ends");
   return twist + angle_to(path.frames(0).e2, last);
 }
@@ -51,7 +51,7 @@ std::optional<double> normal_tolerance_of(const SweepQuery& query) {
 }
 
 SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
-  greatest_scale(query.scale, path.series.segments);
+  query.scale.require_along(path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
   const double turn = turn_of(path, query);
   SweepForm form{query.profile,    query.scale,  turn,         query.tolerance_or_sections,

@@ -18,8 +18,8 @@ struct SweepQuery {
   /// smallest angle at a constant rate: the frame of minimal twist. Not of a closed path, which
   /// turns so that it closes.
   std::optional<Vector<Rational>> end_normal = {};
-  Angle twist = {};                       ///< by which it turns beyond that
-  RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0: the profile is so many times as large
+  Angle twist = {};       ///< by which it turns beyond that
+  SweepScale scale = {};  ///< λ(t) > 0: the profile is so many times as large
   /// A distance between mesh and surface, or the number of sections.
   std::variant<Rational, long> tolerance_or_sections = 100L;
   /// With a tolerance: between 0 and π/2, and normals of triangles are as near to those of the

@@ -9,6 +9,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/step_file.hpp"
 #include "phrame/io/read/expression.hpp"
+#include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/profile.hpp"
 #include "phrame/io/write/mesh.hpp"
 #include "phrame/io/write/surface.hpp"
@@ -23,6 +24,7 @@ struct SweepOptions {
   std::optional<std::string> end_normal;
   std::optional<std::string> twist;
   std::string scale = "1";
+  std::optional<std::string> scale_column;
   std::optional<std::string> tolerance;
   std::optional<std::string> normal_tolerance;
   long sections = 0;
@@ -32,8 +34,26 @@ struct SweepOptions {
   long degree = 0;  ///< of a rational frame of minimal twist; 0: none is asked for
 };
 
+/// The numbers of a column of the table that the curve is read from, a row for each point.
+std::vector<Rational> column_of(const SweepOptions& options) {
+  const std::string place = name_of_file(options.curve.path);
+  return at_place(place, ":", [&] {
+    return read_column(read_file(options.curve.path), *options.scale_column, options.curve.reading);
+  });
+}
+
 RationalFunction scale_of(const SweepOptions& options) {
   return at_place("--scale", ", ", [&] { return parse_expression(options.scale, "t").value; });
+}
+
+/// A rational function, or the values at joints in a list.
+SweepScale sweep_scale_of(const SweepOptions& options) {
+  if (options.scale_column) return SweepScale(column_of(options));
+  const std::vector<std::string> parts = split({options.scale});
+  if (parts.size() == 1) return scale_of(options);
+  std::vector<Rational> values;
+  for (const std::string& part : parts) values.push_back(parse_option("--scale", part));
+  return SweepScale(values);
 }
 
 /// By `parse` where it is given in a word, by `read` from a file.
@@ -82,8 +102,8 @@ std::optional<Vector<Rational>> origin_of(const SweepOptions& options) {
 }
 
 SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
-  const RationalFunction scale = scale_of(options);
-  const double greatest = greatest_scale(scale, segments);
+  const SweepScale scale = sweep_scale_of(options);
+  const double greatest = scale.greatest(segments);
   const Profile profile = profile_of(options, greatest);
   SweepQuery query{profile, options.start.start()};
   query.scale = scale;
@@ -185,7 +205,9 @@ void run(const Command& command, const SweepOptions& options) {
   const auto format = choose<std::string (*)(const Mesh&)>(
       "--format", options.format,
       {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
-  const NamedPath named = options.curve.read_any_path();
+  CurveOptions curve = options.curve;
+  curve.reading.other_column = options.scale_column.value_or("");
+  const NamedPath named = curve.read_any_path();
   const auto up = UpOption().chosen(named.path, options.start.is_up());
   options.start.check(named.path, up);
   SweepQuery query = query_of(options, named.path.segments().size());
@@ -212,7 +234,11 @@ void add_sweep(Program& program) {
   command.add_option("--twist", "ANGLE", options->twist,
                      "by which the profile turns from start to end, evenly along the length");
   command.add_option("--scale", "EXPR", options->scale,
-                     "how many times as large the profile is: a rational function of t");
+                     "how many times as large the profile is: a rational function of t, or a list\n"
+                     "of values at t = 0, 1, ..., between which it is linear");
+  command.add_option("--scale-column", "NAME", options->scale_column,
+                     "of a table of points: the column with these values, \"radius\"");
+  command.not_with({"--scale-column"}, {"--scale", "--exact"});
   command.add_option("--tolerance", "DISTANCE", options->tolerance,
                      "between mesh and surface, at most, proved (default: 1/200 of the profile)");
   command.add_option(

@@ -362,3 +362,31 @@ TEST_CASE("sweep: a mitre nearer than the tolerance stands for the sections besi
   CHECK(*body.error < 1e-3);
   CHECK(body_of(Rational(1, 10)).folds > 0);
 }
+
+// Frustums of square pyramids: h/3·(a² + ab + b²).
+TEST_CASE("sweep: a scale by values at joints is linear in between") {
+  const Path line = test::polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  SweepQuery query = within(rectangle_profile(1, 1), Rational(1, 1000000));
+  query.scale = SweepScale(std::vector<Rational>{1, 2, 1});
+  const SweptBody body = answer(NamedPath("", line), query).body;
+  check_body(body, 2);
+  CHECK(std::abs(volume(body.mesh) - 14.0 / 3) < 1e-12);
+  query.scale = SweepScale(std::vector<Rational>{1, 2});
+  CHECK_THROWS_AS(answer(NamedPath("", line), query), DomainError);
+  query.scale = SweepScale(std::vector<Rational>{1, -2, 1});
+  CHECK_THROWS_AS(answer(NamedPath("", line), query), DomainError);
+}
+
+TEST_CASE("sweep scale: its greatest value is at a joint, or bounded by balls") {
+  const SweepScale joints(std::vector<Rational>{1, Rational(5, 2), 2});
+  CHECK(joints.greatest(2) >= 2.5);
+  CHECK(joints.greatest(2) < 2.5 + 1e-14);
+  CHECK_FALSE(joints.is_constant());
+  CHECK(joints.on(1)(Rational(3, 2)) == Rational(9, 4));
+  CHECK(joints.at(2) == 2);
+  CHECK(SweepScale(std::vector<Rational>{3, 3, 3}).is_constant());
+  CHECK(SweepScale().greatest(7) == 1);
+  const SweepScale parabola(RationalFunction(Polynomial{1, 1, Rational(-1, 2)}));
+  CHECK(parabola.greatest(1) >= 1.5);
+  CHECK(parabola.greatest(1) < 1.51);
+}

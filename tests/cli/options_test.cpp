@@ -110,13 +110,14 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--profile", "polygon:3,1"},
                                                 {"--end-normal", "1,2,3"},
                                                 {"--twist", "pi/4"},
-                                                {"--scale", "1 + t"},
+                                                {"--scale", "1+t"},
                                                 {"--sections", "4"},
                                                 {"--duration", "5"},
                                                 {"--fps", "30"},
                                                 {"--places", "3"},
                                                 {"--question", "info"},
                                                 {"--linked-with", "spline.json"},
+                                                {"--scale-column", "radius"},
                                                 {"--pick", "left"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.

@@ -163,3 +163,22 @@ TEST_CASE("sweep: what cannot be swept is refused by name") {
   check_failure(here.run("sweep quintic.json --profile circle:1 --start-normal 2,2,1"), 2,
                 "--start-normal");
 }
+
+TEST_CASE("sweep: the scale may be a list, or a column of the table of points") {
+  const Workshop here;
+  here.write("points.csv", "x,y,z,radius\n0,0,0,1\n1,0,0,2\n2,0,0,1\n");
+  const std::string call = "sweep points.csv --kind polyline --profile rectangle:1,1 --format obj ";
+  const Run list = here.run(call + "--scale 1,2,1");
+  CHECK(list.status == 0);
+  const Run column = here.run(call + "--scale-column radius");
+  CHECK(column.out == list.out);
+  CHECK(column.err.empty());
+  CHECK(contains(list.err, "skipped is the column radius"));
+  const Run missing = here.run(call + "--scale-column width");
+  CHECK(missing.status == 2);
+  CHECK(contains(missing.err,
+                 "points.csv:line 1: there is no column \"width\", but x, y, z, radius\n"));
+  const Run short_list = here.run(call + "--scale 1,2");
+  CHECK(short_list.status == 3);
+  CHECK(contains(short_list.err, "scale: 2 values for 3 joints, 0 to 2"));
+}

@@ -14,6 +14,8 @@ struct FileReading {
   std::string pick = {};
   /// Of tables and lists of points what they are: natural, periodic, polyline, bezier or bspline.
   std::string kind = {};
+  /// A column that is read for something else, so that it is not said to be skipped.
+  std::string other_column = {};
   bool skips_where_possible = false;  ///< files without such rows are not refused then
 
   /// Is nothing asked?

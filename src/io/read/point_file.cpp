@@ -119,6 +119,24 @@ PointTable read_points_of_table(std::string_view bytes, const FileReading& readi
   return read_point_rows(table_of_points(bytes), reading);
 }
 
+std::vector<Rational> read_column(std::string_view bytes, const std::string& name,
+                                  const FileReading& reading) {
+  const PointTable read = read_points_of_table(bytes, reading);
+  const NumberTable& table = *read.table;
+  const auto& names = table.names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError(
+        table.header_place(),
+        fmt::format("there is no column \"{}\"{}", abbreviated(name),
+                    names.empty() ? "" : fmt::format(", but {}", fmt::join(names, ", "))));
+  const std::vector<std::size_t> column{static_cast<std::size_t>(found - names.begin())};
+  std::vector<Rational> numbers;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    numbers.push_back(table.number(row, column, name));
+  return numbers;
+}
+
 GivenPoints read_points(std::string_view bytes, const FileReading& reading) {
   const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   if (first != std::string_view::npos && bytes[first] == '{') {

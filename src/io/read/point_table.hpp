@@ -33,4 +33,9 @@ void require_meaning(const GivenPoints& given,
 /// Of a table that is read from bytes, whose header may be a comment that says which column is x.
 PointTable read_points_of_table(std::string_view bytes, const FileReading& reading);
 
+/// The numbers of the column with that name of such a table, a row for each point. Throws
+/// InputError where there is none.
+std::vector<Rational> read_column(std::string_view bytes, const std::string& name,
+                                  const FileReading& reading);
+
 }  // namespace phrame

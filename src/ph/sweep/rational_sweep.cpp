@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/sweep/sweep.hpp"
+#include "phrame/ph/sweep/sweep_scale.hpp"
 
 namespace phrame {
 namespace {
@@ -261,7 +261,7 @@ void append_part(RationalSurface& surface, const SweptPart& part,
 
 RationalSurface rational_sweep(const PhPath& path, const std::vector<RationalFramePiece>& frames,
                                const RationalSweepForm& form) {
-  greatest_scale(form.scale, path.segments().size());
+  SweepScale(form.scale).require_along(path.segments().size());
   require_no_stop(path);
   // Where e₁ is against the motion the profile is swept the other way round.
   const bool is_against = path.segments().front().multiplier()(0) < 0;

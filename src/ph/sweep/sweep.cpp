@@ -21,10 +21,6 @@
 namespace phrame {
 namespace {
 
-bool is_constant(const RationalFunction& f) {
-  return f.numerator().degree() <= 0 && f.denominator().degree() <= 0;
-}
-
 /// Sections from start to end, and what the triangles between them are off.
 struct SectionList {
   std::vector<SweepSection> sections;
@@ -45,7 +41,7 @@ class Tessellation {
                const std::optional<LengthShare>& share)
       : path_(path),
         form_(form),
-        scale_(form.scale),
+        scale_(form.scale, path.series.segments),
         sections_(path, form, share),
         turn_per_length_(share ? form.turn / share->length() * sweep_slack : 0),
         is_against_(direction_of_motion(path) < 0) {}
@@ -103,7 +99,7 @@ void Tessellation::join_corners(double within) {
     if (corners_[k]) joint_error_ = std::max(joint_error_, farthest * sweep_slack);
   }
   if (corners_.empty()) return;
-  const bool is_prism = is_constant(form_.scale) && turn_per_length_ == 0;
+  const bool is_prism = form_.scale.is_constant() && turn_per_length_ == 0;
   const std::vector<double> none(form_.profile.corners().size());
   const auto offset_at = [&](std::size_t k) -> const std::vector<double>& {
     const auto found = offsets.find(k % count());
@@ -379,27 +375,6 @@ double beside_rounding(double tolerance, const SweepPath& path, const SweepForm&
                   tolerance - 1.1 * unit * (greatest + form.profile.reach() * scale));
 }
 
-}  // namespace
-
-double greatest_scale(const RationalFunction& scale, std::size_t segments) {
-  const auto end = static_cast<long>(segments);
-  const auto refuse = [] { throw DomainError("scale: it is not positive and finite all along"); };
-  if (count_real_roots(scale.denominator(), closed(0, end)) > 0) refuse();
-  if (scale.numerator().is_zero() || count_real_roots(scale.numerator(), closed(0, end)) > 0 ||
-      scale(0) < 0)
-    refuse();
-  double greatest = 0;
-  constexpr long parts = 256;
-  for (long k = 0; k < end * parts; ++k) {
-    const double bound =
-        upper_double(evaluate(scale, hull(Rational(k, parts), Rational(k + 1, parts), 64), 64));
-    greatest = std::max(greatest, bound);
-  }
-  return greatest;
-}
-
-namespace {
-
 /// Of the mesh beside its points: what is within the tolerance, and the bounds.
 SectionList within(Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
                    double scale, SweptBody& body) {
@@ -438,7 +413,7 @@ std::optional<LengthShare> share_of(const SweepPath& path, double turn) {
 /// of each are enough for the tolerance, by some sections. What is enough is seen of all later.
 Profile profile_for_normals(const SweepPath& path, const SweepForm& form,
                             const std::optional<LengthShare>& share) {
-  if (!form.normal_tolerance || (!share && is_constant(form.scale))) return form.profile;
+  if (!form.normal_tolerance || (!share && form.scale.is_constant())) return form.profile;
   const SweepSections sections(path, form, share);
   std::vector<double> greatest(form.profile.corners().size());
   visit_motions(path, sections, [&](const SweepMotion& motion) {
@@ -456,7 +431,7 @@ Profile profile_for_normals(const SweepPath& path, const SweepForm& form,
 
 double side_angle_factor(const SweepPath& path, const SweepForm& form) {
   const std::optional<LengthShare> share = share_of(path, form.turn);
-  if (!share && is_constant(form.scale)) return 1;
+  if (!share && form.scale.is_constant()) return 1;
   const SweepSections sections(path, form, share);
   double greatest = 1;
   visit_motions(path, sections, [&](const SweepMotion& motion) {
@@ -492,7 +467,7 @@ SweepPath sweep_path(const Path& path, CompiledFrames frames) {
 }
 
 SweptBody sweep(const SweepPath& path, const SweepForm& form) {
-  const double scale = greatest_scale(form.scale, path.series.segments);
+  const double scale = form.scale.greatest(path.series.segments);
   const std::optional<LengthShare> share = share_of(path, form.turn);
   SweepForm swept = form;
   if (!swept.origin) {

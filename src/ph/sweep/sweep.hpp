@@ -35,7 +35,4 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form);
 /// At most 100.
 double side_angle_factor(const SweepPath& path, const SweepForm& form);
 
-/// A bound of λ on [0, end], > 0. Throws DomainError for λ that is not > 0 all along.
-double greatest_scale(const RationalFunction& scale, std::size_t segments);
-
 }  // namespace phrame

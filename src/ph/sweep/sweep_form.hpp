@@ -2,11 +2,11 @@
 #include <optional>
 #include <variant>
 
-#include "phrame/algebra/rational_function.hpp"
 #include "phrame/ph/curve/curve_series.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/sweep/mesh_numbers.hpp"
 #include "phrame/ph/sweep/profile.hpp"
+#include "phrame/ph/sweep/sweep_scale.hpp"
 
 namespace phrame {
 
@@ -25,9 +25,8 @@ SweepPath sweep_path(const Path& path, CompiledFrames frames);
 
 /// How a profile is swept.
 struct SweepForm {
-  Profile profile;  ///< what is swept
-  /// The profile is λ(t) times as large there, λ > 0 on the path.
-  RationalFunction scale{Polynomial{1}};
+  Profile profile;        ///< what is swept
+  SweepScale scale = {};  ///< the profile is λ(t) times as large there, λ > 0 on the path
   /// The profile turns by so many radians against the frame, at a constant rate per length.
   double turn = 0;
   /// No point of the surface is farther from that of the mesh, and conversely; or so many sections,

@@ -42,13 +42,22 @@ double length_above(const Vector<RealBall>& v) {
 
 }  // namespace
 
-double ScaleRates::bound(std::size_t order, const RealBall& t) const {
-  return upper_double(absolute(evaluate(derivatives_[order], t, rate_bits)));
+ScaleRates::ScaleRates(const SweepScale& scale, std::size_t segments) {
+  const std::size_t count = &scale.on(0) == &scale.on(segments - 1) ? 1 : segments;
+  for (std::size_t k = 0; k < count; ++k) {
+    const RationalFunction slope = differentiate(scale.on(k));
+    derivatives_.push_back({scale.on(k), slope, differentiate(slope)});
+  }
 }
 
-double ScaleRates::at(std::size_t order, double t) const {
-  return approximate(
-      evaluate(derivatives_[order], RealBall(exact_rational(t), rate_bits), rate_bits));
+double ScaleRates::bound(std::size_t order, std::size_t segment, const RealBall& t) const {
+  const RealBall along = add(t, RealBall(static_cast<long>(segment), rate_bits), rate_bits);
+  return upper_double(absolute(evaluate(derivative(order, segment), along, rate_bits)));
+}
+
+double ScaleRates::at(std::size_t order, std::size_t segment, double t) const {
+  const Rational along = exact_rational(t) + Rational(static_cast<long>(segment));
+  return approximate(evaluate(derivative(order, segment), RealBall(along, rate_bits), rate_bits));
 }
 
 std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
@@ -68,8 +77,7 @@ std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& s
   rates.tangent = rates.acceleration / rates.speed_below * sweep_slack;
   rates.tangent2 =
       (jerk + 3 * rates.tangent * rates.acceleration) / rates.speed_below * sweep_slack;
-  const RealBall along = add(t, RealBall(static_cast<long>(part.segment), rate_bits), rate_bits);
-  for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, along);
+  for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, part.segment, t);
   rates.turn = std::abs(turn_per_length) * rates.speed * sweep_slack;
   rates.turn2 = std::abs(turn_per_length) * rates.acceleration * sweep_slack;
   return rates;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <vector>
 
 #include "phrame/ph/sweep/sweep_form.hpp"
 
@@ -8,15 +9,18 @@ namespace phrame {
 /// λ and its first two derivatives.
 class ScaleRates {
  public:
-  explicit ScaleRates(const RationalFunction& scale)
-      : derivatives_{scale, differentiate(scale), differentiate(differentiate(scale))} {}
-  /// Of the absolute value of a derivative, of order 0 to 2, around t, above.
-  double bound(std::size_t order, const RealBall& t) const;
-  /// A derivative at t, rounded.
-  double at(std::size_t order, double t) const;
+  ScaleRates(const SweepScale& scale, std::size_t segments);
+  /// Of the absolute value of a derivative, of order 0 to 2, on a segment around t of it, above.
+  double bound(std::size_t order, std::size_t segment, const RealBall& t) const;
+  /// A derivative at t of a segment, rounded.
+  double at(std::size_t order, std::size_t segment, double t) const;
 
  private:
-  std::array<RationalFunction, 3> derivatives_;
+  const RationalFunction& derivative(std::size_t order, std::size_t segment) const {
+    return derivatives_[derivatives_.size() == 1 ? 0 : segment][order];
+  }
+  /// Of each segment; one for all where they are the same.
+  std::vector<std::array<RationalFunction, 3>> derivatives_;
 };
 
 /// Bounds of how fast a path, and a profile along it, change on a part; derivatives are by t.

@@ -47,7 +47,7 @@ SweepSections::PathDerivatives SweepSections::derivatives_at(std::size_t segment
 
 SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
                              const std::optional<LengthShare>& share)
-    : path_(path), form_(form), share_(share), scale_(form.scale) {
+    : path_(path), form_(form), share_(share), scale_(form.scale, path.series.segments) {
   if (form.origin)
     for (std::size_t k = 0; k < 3; ++k) origin_[k] = RealBall(form.origin->at(k), section_bits);
   for (const auto& [x, y] : form.profile.corners())
@@ -97,7 +97,7 @@ Frame<double> SweepSections::frame(std::size_t segment, double t) const {
 std::vector<Vector<double>> SweepSections::outline(std::size_t segment, double t) const {
   const Frame<double> axes = frame(segment, t);
   const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
-  const double scale = scale_.at(0, static_cast<double>(segment) + t);
+  const double scale = scale_.at(0, segment, t);
   const double cos = scale * std::cos(phi);
   const double sin = scale * std::sin(phi);
   std::vector<Vector<double>> points;
@@ -169,7 +169,6 @@ double SweepSections::chord(std::size_t segment) const {
 
 SweepMotion SweepSections::motion(std::size_t segment, double t) const {
   const auto [place, rate, second] = derivatives_at(segment, t);
-  const double along = static_cast<double>(segment) + t;
   const Frame<double> frame = this->frame(segment, t);
   const double speed = size(rate);
   const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
@@ -179,8 +178,8 @@ SweepMotion SweepSections::motion(std::size_t segment, double t) const {
   motion.tangent_rate = 1 / speed * (second - dot(motion.tangent, second) * motion.tangent);
   motion.x = std::cos(phi) * frame.e2 + std::sin(phi) * frame.e3;
   motion.y = std::cos(phi) * frame.e3 - std::sin(phi) * frame.e2;
-  motion.scale = scale_.at(0, along);
-  motion.scale_rate = scale_.at(1, along);
+  motion.scale = scale_.at(0, segment, t);
+  motion.scale_rate = scale_.at(1, segment, t);
   motion.turn_rate = share_ ? form_.turn / share_->length() * speed : 0;
   return motion;
 }
