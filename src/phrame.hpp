@@ -23,6 +23,7 @@
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/offset.hpp"
 #include "phrame/answer/page.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"

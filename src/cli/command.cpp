@@ -121,14 +121,23 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
   return epsilon;
 }
 
-void CurveOptions::add_to(Command& command) {
+void CurveOptions::add_curve_to(Command& command) {
   command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
   add_near(command, near);
   command.add_option("--max-corner", "ANGLE", max_corner,
                      "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
+  limits.near_option = "--near";
+}
+
+void CurveOptions::add_to(Command& command) {
+  add_curve_to(command);
   command.add_output(output);
   add_max_degree(command, limits);
-  limits.near_option = "--near";
+}
+
+void CurveOptions::add_input_to(Command& command) {
+  add_curve_to(command);
+  add_max_degree(command, limits);
 }
 
 NamedCurve CurveOptions::read_curve() const {
