@@ -5,6 +5,7 @@
 
 #include "curves.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame::bench {
 namespace {

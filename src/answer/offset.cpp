@@ -4,6 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame {
 namespace {

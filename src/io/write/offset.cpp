@@ -186,6 +186,8 @@ std::string to_text(const OffsetAnswer& answer) {
   std::string text = heading(answer.path) + "\n";
   if (!answer.path.path.corners().empty() || closure(answer.path.path).at_corner)
     text += fmt::format("corners joined: {}\n", name_of(answer.join));
+  const std::string signs = notes_on_signs(*answer.path.path.ph());
+  if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
   for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
   return text;
 }

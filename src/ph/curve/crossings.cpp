@@ -34,7 +34,8 @@ class CrossingSearch {
  public:
   CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
   /// Of a curve in a plane, with itself.
-  explicit CrossingSearch(CurveTree& plane) : first_(plane), second_(plane), is_plane_(true) {}
+  CrossingSearch(CurveTree& plane, const std::vector<KnownMeeting>& known)
+      : first_(plane), second_(plane), is_plane_(true), known_(known) {}
 
   std::optional<std::vector<Crossing>> with_itself() {
     return visit_self(first_.root()) ? std::optional(std::move(found_)) : std::nullopt;
@@ -68,7 +69,7 @@ class CrossingSearch {
       if (are_transversal(a.velocity, b.velocity)) {
         const auto [is_decided, crossing] = solve(a, b);
         if (crossing) return add_crossing(a, b, *crossing);
-        if (is_decided) return true;
+        if (is_decided || is_known(a, b)) return true;
       }
     }
     CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
@@ -92,6 +93,7 @@ class CrossingSearch {
   int sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
               long bits) const;
 
+  bool is_known(const CurveNode& a, const CurveNode& b) const;
   bool leave_undecided(const CurveNode& a, const CurveNode& b);
   bool is_left() { return ++pairs_ <= (is_plane_ ? most_plane_pairs : most_pairs); }
   static double size_of(const CurveNode& node) {
@@ -104,12 +106,26 @@ class CrossingSearch {
   CurveTree& first_;
   CurveTree& second_;
   bool is_plane_ = false;
+  std::vector<KnownMeeting> known_ = {};
   long pairs_ = 0;
   std::vector<Crossing> found_;
   std::vector<UndecidedCrossing> undecided_;
 };
 
 CurvePart part_of(const CurveNode& arc) { return {arc.first_segment, arc.lower, arc.upper}; }
+
+bool is_on(const CurveNode& arc, std::size_t segment, const RealAlgebraic& t) {
+  return arc.first_segment == segment && compare(t, exact_sum(arc.lower, 0).midpoint()) >= 0 &&
+         compare(t, exact_sum(arc.upper, 0).midpoint()) <= 0;
+}
+
+/// Is there a point that the arcs are known to have in common? If they are transversal, they have
+/// no other one.
+bool CrossingSearch::is_known(const CurveNode& a, const CurveNode& b) const {
+  return std::ranges::any_of(known_, [&](const KnownMeeting& x) {
+    return is_on(a, x.first_segment, x.first_t) && is_on(b, x.second_segment, x.second_t);
+  });
+}
 
 /// The least part around both, where they are of one segment and not far from each other.
 std::optional<CurvePart> merged(const CurvePart& a, const CurvePart& b) {
@@ -242,9 +258,10 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
   return CrossingSearch(one, other).with_other();
 }
 
-SelfIntersections self_intersections(const CurveSeries& curve) {
+SelfIntersections self_intersections(const CurveSeries& curve,
+                                     const std::vector<KnownMeeting>& known) {
   CurveTree tree(curve, {0, 0, 1});
-  return CrossingSearch(tree).in_plane();
+  return CrossingSearch(tree, known).in_plane();
 }
 
 long sum_of_signs(const std::vector<Crossing>& crossings) {

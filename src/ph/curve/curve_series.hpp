@@ -20,6 +20,7 @@ struct SegmentTurning {
 /// A curve of one or several segments, each on [0, 1], by Taylor series of its position: all that
 /// is asked of a curve to find its crossings. Where it has cusps, its turning is wanted, too.
 struct CurveSeries {
+  /// A vector around a place of a segment.
   using Series = std::function<Vector<BallPolynomial>(std::size_t segment, const RealBall& t,
                                                       long length, long bits)>;
   std::size_t segments = 0;  ///< at least one

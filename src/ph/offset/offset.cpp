@@ -158,10 +158,4 @@ std::vector<OffsetCusp> cusps(const Offset& offset) {
   return found;
 }
 
-SelfIntersections self_intersections(const Offset& offset) {
-  std::vector<RationalCurve> curves;
-  for (const OffsetPiece& piece : offset.pieces) curves.push_back(piece.curve);
-  return self_intersections(plane_series(curves, offset.meets));
-}
-
 }  // namespace phrame

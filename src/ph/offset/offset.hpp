@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/ph/curve/crossings.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 
@@ -49,8 +49,5 @@ struct OffsetCusp {
 /// All of them, along the offset, isolated by Sturm's theorem. At joints, where the curvature may
 /// jump, the offset may turn back though 1 + dκ ≠ 0 on either side: that is one of them, too.
 std::vector<OffsetCusp> cusps(const Offset& offset);
-
-/// Where the offset meets itself, with segments that are pieces of it.
-SelfIntersections self_intersections(const Offset& offset);
 
 }  // namespace phrame

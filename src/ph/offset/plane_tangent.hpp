@@ -21,8 +21,8 @@ PlaneTangent plane_tangent(const Curve& curve);
 
 /// A direction or a point of the plane.
 struct PlaneVector {
-  Rational x;
-  Rational y;
+  Rational x;  ///< its x
+  Rational y;  ///< its y
   friend bool operator==(const PlaneVector&, const PlaneVector&) = default;
 };
 /// e₁ there, exact.

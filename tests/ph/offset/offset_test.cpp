@@ -6,9 +6,12 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -265,6 +268,31 @@ TEST_CASE("offset: what coincides or touches is undecided, with its place") {
   const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
   CHECK_FALSE(meeting.is_complete());
   CHECK(meeting.found.empty());
+  // The offset by -2 ends where it begins, in the opposite direction.
+  const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
+  const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
+  CHECK(ends.found.empty());
+  REQUIRE(ends.undecided.size() == 1);
+  CHECK(ends.undecided[0].first.lower == 0);
+  CHECK(ends.undecided[0].second.upper == 1);
+}
+
+TEST_CASE("offset: what ends on itself, and passes there, is found by algebra") {
+  // The offset of the last line ends on that of the one before, in (2, 2).
+  std::vector<Segment> sides;
+  const std::vector<Vector<Rational>> points{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}};
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vector<Rational> way = points[k + 1] - points[k];
+    sides.emplace_back(PhSegment(
+        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
+  }
+  const SelfIntersections touching = self_intersections(offset(*joined(sides).ph(), -1));
+  CHECK(touching.is_complete());
+  REQUIRE(touching.found.size() == 3);
+  CHECK(touching.found[2].first_segment == 2);
+  CHECK(touching.found[2].first_t.contains(Rational(2, 3)));
+  CHECK(touching.found[2].second_segment == 3);
+  CHECK(touching.found[2].second_t.contains(1));
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {
