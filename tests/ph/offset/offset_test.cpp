@@ -262,6 +262,18 @@ TEST_CASE("offset: self-intersections are as many as a polygon through 1500 poin
   CHECK(all >= 5);
 }
 
+TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself once") {
+  // w = 1 + i(2t - 1): 1/kappa is least in the middle, where it is 1/2.
+  const Curve bow({{1}, {}, {}, {-1, 2}}, Polynomial{2});
+  const Offset found = offset(PhPath(bow), Rational(-3, 5));
+  CHECK(cusps(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  REQUIRE(meeting.found.size() == 1);
+  CHECK(add(meeting.found[0].first_t, meeting.found[0].second_t, 128).contains(1));
+  CHECK(self_intersections(offset(PhPath(bow), Rational(-2, 5))).found.empty());
+}
+
 TEST_CASE("offset: what coincides or touches is undecided, with its place") {
   // The line is traced there and back: its offset, too.
   const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
