@@ -21,7 +21,7 @@ constexpr long crossing_bits = 96;
 constexpr double least_arc = 0x1p-30;
 constexpr long most_pairs = 4'000'000;
 constexpr double least_plane_arc = 0x1p-24;
-constexpr long most_plane_pairs = 400'000;
+constexpr long most_plane_pairs = 400'000;  // and as many for ten segments each
 constexpr std::size_t most_undecided = 64;
 
 /// A solution s = first, t = second in the two arcs.
@@ -35,7 +35,12 @@ class CrossingSearch {
   CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
   /// Of a curve in a plane, with itself.
   CrossingSearch(CurveTree& plane, const std::vector<KnownMeeting>& known)
-      : first_(plane), second_(plane), is_plane_(true), known_(known) {}
+      : first_(plane),
+        second_(plane),
+        is_plane_(true),
+        most_pairs_(most_plane_pairs +
+                    most_plane_pairs / 10 * static_cast<long>(plane.root().last_segment)),
+        known_(known) {}
 
   std::optional<std::vector<Crossing>> with_itself() {
     return visit_self(first_.root()) ? std::optional(std::move(found_)) : std::nullopt;
@@ -95,7 +100,7 @@ class CrossingSearch {
 
   bool is_known(const CurveNode& a, const CurveNode& b) const;
   bool leave_undecided(const CurveNode& a, const CurveNode& b);
-  bool is_left() { return ++pairs_ <= (is_plane_ ? most_plane_pairs : most_pairs); }
+  bool is_left() { return ++pairs_ <= most_pairs_; }
   static double size_of(const CurveNode& node) {
     return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
   }
@@ -106,6 +111,7 @@ class CrossingSearch {
   CurveTree& first_;
   CurveTree& second_;
   bool is_plane_ = false;
+  long most_pairs_ = most_pairs;
   std::vector<KnownMeeting> known_ = {};
   long pairs_ = 0;
   std::vector<Crossing> found_;

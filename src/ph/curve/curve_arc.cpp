@@ -13,6 +13,9 @@
 // p·sin φ one sign: P moves to one side of the line through P(c) along H(c) on both branches of
 // the cusp, so that P(s) = P(t) would need s, t on one side of c, where p keeps its sign. The same
 // holds where two segments with one tangent turn back at their joint, one of which may be straight.
+// There it may also be that they turn to different sides, or have a different curvature only. Over
+// X along the tangent both are then graphs on one side, with d(sin φ)/dX = κ: where all κ of the
+// one are less than all of the other, so are the slopes, and the graphs meet at the joint alone.
 
 namespace phrame {
 namespace {
@@ -254,6 +257,33 @@ bool CurveTree::is_simple(const CurveNode& node) const {
          (node.reversals == 0 || (node.reversals == 1 && node.turn != 0));
 }
 
+/// Around the curvature along H.
+DoubleInterval CurveTree::curvature_of(const CurveNode& arc) const {
+  const PlaneSeries r = series(arc.first_segment, arc_parameter(arc), 3, arc_bits);
+  const auto product_of = [&](std::size_t k, long i, std::size_t m, long j) {
+    return multiply(r[k].coefficient(i), r[m].coefficient(j), arc_bits);
+  };
+  const RealBall turn = subtract(product_of(0, 1, 1, 2), product_of(1, 1, 0, 2), arc_bits);
+  const RealBall square = add(product_of(0, 1, 0, 1), product_of(1, 1, 1, 1), arc_bits);
+  const RealBall cube = multiply(square, sqrt(square, arc_bits), arc_bits);
+  return interval_of(divide(times_power_of_two(multiply(turn, RealBall(arc.first_sign, 64), 64), 1),
+                            cube, arc_bits));
+}
+
+/// Do they part where the second one turns back behind the first one?
+bool CurveTree::are_parted(const CurveNode& one, const CurveNode& other) const {
+  if (!one.is_arc() || !other.is_arc() || one.reversals != 0 || other.reversals != 0) return false;
+  if (one.upper < 1 || !is_smooth_behind(one.last_segment)) return false;
+  // All directions of both are within a right angle.
+  const PlaneBox all = hull_of(one.direction, other.direction);
+  const DoubleInterval x = product(all[0], all[0]);
+  const DoubleInterval y = product(all[1], all[1]);
+  if (!is_bounded(all) || x.lower + y.lower <= slack * (size_of(x) + size_of(y))) return false;
+  const DoubleInterval a = curvature_of(one);
+  const DoubleInterval b = curvature_of(other);
+  return a.upper < b.lower || b.upper < a.lower;
+}
+
 bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b) const {
   const bool is_in_order = goes_on_into(a, b);
   const CurveNode& one = is_in_order ? a : b;
@@ -266,7 +296,7 @@ bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b) const {
   const bool turns_one_way = (one.turn != 0 || one.is_straight) &&
                              (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0 &&
                              (one.upper < 1 || is_smooth_behind(one.last_segment));
-  return reversals == 0 || (reversals == 1 && turns_one_way);
+  return reversals == 0 || (reversals == 1 && (turns_one_way || are_parted(one, other)));
 }
 
 }  // namespace phrame

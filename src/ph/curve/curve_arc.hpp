@@ -84,6 +84,8 @@ class CurveTree {
   PlaneSeries projected(const Vector<BallPolynomial>& r, long bits) const;
   bool meets_next(std::size_t segment) const;
   bool is_smooth_behind(std::size_t segment) const;
+  DoubleInterval curvature_of(const CurveNode& arc) const;
+  bool are_parted(const CurveNode& one, const CurveNode& other) const;
   bool goes_on_into(const CurveNode& a, const CurveNode& b) const;
 
   CurveSeries curve_;

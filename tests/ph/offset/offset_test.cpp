@@ -6,6 +6,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/transform.hpp"
@@ -272,6 +273,41 @@ TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself 
   REQUIRE(meeting.found.size() == 1);
   CHECK(add(meeting.found[0].first_t, meeting.found[0].second_t, 128).contains(1));
   CHECK(self_intersections(offset(PhPath(bow), Rational(-2, 5))).found.empty());
+}
+
+TEST_CASE("offset: an arc and what turns back into it part at their joint") {
+  // It turns right, at the end with kappa = -4, and behind the corner left.
+  PhPath path(Curve({{1}, {}, {}, {2, -2}}));
+  path.append(Curve({{1}, {}, {}, {1}}, Polynomial{2}, end_point(path.segments().front())));
+  const Offset found = offset(path, Rational(1, 2));
+  REQUIRE(found.pieces.size() == 3);
+  const auto all = cusps(found);
+  REQUIRE(all.size() == 2);
+  CHECK(all[1].piece == 1);
+  CHECK(all[1].turns_back);
+  CHECK(paths(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(static_cast<long>(meeting.found.size()) == sampled_crossings(found, 1500));
+}
+
+TEST_CASE("offset: self-intersections of paths with joins are those of polygons, too") {
+  long all = 0;
+  for_samples(8, [&](Random& random) {
+    PhPath path(tame_curve(random));
+    try {
+      const Curve next = tame_curve(random);
+      path.append(Curve(next.preimage(), next.multiplier(), end_point(path.segments().front())));
+    } catch (const DomainError&) {
+      return;  // the tangent turns back
+    }
+    const Offset found = offset(path, Rational(2 * random.integer(-8, 7) + 1, 4));
+    const SelfIntersections meeting = self_intersections(found);
+    CHECK(meeting.is_complete());
+    CHECK(static_cast<long>(meeting.found.size()) == sampled_crossings(found, 1000));
+    all += static_cast<long>(meeting.found.size());
+  });
+  CHECK(all >= 5);
 }
 
 TEST_CASE("offset: what coincides or touches is undecided, with its place") {
