@@ -229,6 +229,14 @@ TEST_CASE("offset: an arc by nearly half a turn is cut, and its parts keep the d
     const PlaneCorner corner{{0, 0, 0}, {1, 0}, {c, 2 * h / (1 + h * h)}, 1};
     REQUIRE(is_outside(corner, 2));
     CHECK_FALSE(is_outside(corner, -2));
+    PlaneCorner back = corner;  // behind a cusp
+    back.sign = -1;
+    CHECK(is_outside(back, -2));
+    CHECK_FALSE(is_outside(back, 2));
+    for (const RationalCurve& arc : corner_join(back, -2, OffsetJoin::round)) {
+      CHECK(sign_after_zero(arc.multiplier()) < 0);
+      CHECK(arc.direction()[1](1) > 0);
+    }
     const auto arcs = corner_join(corner, 2, OffsetJoin::round);
     CHECK(arcs.size() == (h == 1 ? 1 : 2));
     for (const RationalCurve& arc : arcs)
@@ -264,8 +272,9 @@ TEST_CASE("offset: self-intersections are as many as a polygon through 1500 poin
 }
 
 TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself once") {
-  // w = 1 + i(2t - 1): 1/kappa is least in the middle, where it is 1/2.
-  const Curve bow({{1}, {}, {}, {-1, 2}}, Polynomial{2});
+  // w = 1 + 7/10 i(2t - 1): 1/kappa is least in the middle, where it is 1/2.
+  const Rational half(7, 10);
+  const Curve bow({{1}, {}, {}, {-half, 2 * half}}, Polynomial{2 * half});
   const Offset found = offset(PhPath(bow), Rational(-3, 5));
   CHECK(cusps(found).size() == 2);
   const SelfIntersections meeting = self_intersections(found);
