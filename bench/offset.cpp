@@ -12,7 +12,7 @@ namespace {
 
 using State = benchmark::State;
 
-/// A quintic with a double point of its offset and two cusps of that.
+/// One whose offset has two cusps and meets itself three times.
 Curve quintic() {
   return Curve({from_bernstein({-4, 6, -6}), {}, {}, from_bernstein({1, Rational(15, 14), -6})});
 }
@@ -49,7 +49,8 @@ void offset_length(State& state) {
 /// All of it, as the program reports it.
 void offset_report(State& state) {
   const NamedPath path("", PhPath(quintic()));
-  for (auto _ : state) benchmark::DoNotOptimize(answer(path, {{distance()}}).offsets.data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(answer(path, OffsetQuery{{distance()}}).offsets.data());
 }
 
 BENCHMARK(offset_quintic)->Unit(benchmark::kMicrosecond);
