@@ -97,6 +97,8 @@ struct IntegralAnswer;
 struct InterpolationQuery;
 struct MinimalTwistQuery;
 struct MinimalTwistAnswer;
+struct OffsetQuery;
+struct OffsetAnswer;
 struct PageQuery;
 struct PageAnswer;
 struct TotalsQuery;

@@ -23,6 +23,7 @@
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/offset.hpp"
 #include "phrame/answer/page.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"
@@ -69,6 +70,8 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
 

@@ -14,7 +14,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../cmake/public_headers.cmake)
 
 cmake_path(SET SOURCE_DIR NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../src)
 # From below to above; a folder of `ph` or `io` is a room, and what lies in io itself sees both of its.
-set(rooms algebra integrate ph/curve ph/along ph/frame ph/twist ph/construct ph/proof ph/sweep answer io/write io/read io cli)
+set(rooms algebra integrate ph/curve ph/along ph/frame ph/twist ph/construct ph/proof ph/sweep ph/offset answer io/write io/read io cli)
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\

@@ -115,6 +115,27 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   write_page(self.named, query, samples, file);
 }
 
+OffsetJoin join_named(nb::handle join) {
+  const std::string given = text(join, "join");
+  std::string known;
+  for (const auto& [name, value] : offset_joins()) {
+    if (name == given) return value;
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  refuse("join", "\"" + abbreviated(given) + "\" is not one of " + known, join);
+}
+
+nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle join) {
+  const PhPath& along = ph_of(self, "offset").path;
+  const Rational d = rational(distance, "distance");
+  if (d == 0) refuse("distance", "0 is no distance", distance);
+  const OffsetJoin joined_by = join_named(join);
+  nb::list list;
+  for (Path& path : without_gil([=] { return paths(offset(along, d, joined_by)); }))
+    list.append(wrap(NamedPath(self.named.name, std::move(path))));
+  return nb::tuple(list);
+}
+
 }  // namespace
 
 void bind_products(PathClass& path) {
@@ -124,6 +145,14 @@ void bind_products(PathClass& path) {
            "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
            "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
            "z.")
+      .def("offset", offset_paths, argument("distance"), argument("join") = "round",
+           nb::sig("def offset(self, distance: Number, join: str = \"round\") -> "
+                   "tuple[Path, ...]"),
+           "The exact offset of a PH path in a plane z = const, > 0 to the right of travel, as "
+           "rational curves; several paths where corners are not joined or it turns back at a "
+           "joint. `join` is \"round\", \"mitre\" or \"open\". phrame.ask(\"offset\", …) has its "
+           "cusps, "
+           "self-intersections and lengths: docs/offsets.md.")
       .def("compile", compile, argument("prefix") = nb::none(), argument("frame") = nb::none(),
            PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
            argument("up") = nb::none(),

@@ -142,7 +142,7 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
   return epsilon;
 }
 
-void CurveOptions::add_to(Command& command) {
+void CurveOptions::add_curve_to(Command& command) {
   command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
   add_near(command, near);
   command.add_option("--max-corner", "ANGLE", max_corner,
@@ -157,9 +157,18 @@ void CurveOptions::add_to(Command& command) {
                      "what rounding leaves)");
   command.add_option("--pick", "NAME", reading.pick,
                      "of a file with several curves, the one of this name");
+  limits.near_option = "--near";
+}
+
+void CurveOptions::add_to(Command& command) {
+  add_curve_to(command);
   command.add_output(output);
   add_max_degree(command, limits);
-  limits.near_option = "--near";
+}
+
+void CurveOptions::add_input_to(Command& command) {
+  add_curve_to(command);
+  add_max_degree(command, limits);
 }
 
 NamedCurve CurveOptions::read_curve() const {

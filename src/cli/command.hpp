@@ -41,6 +41,8 @@ struct CurveOptions {
   std::string output = "-";
 
   void add_to(Command& command);
+  /// All but -o, for a command with another one.
+  void add_input_to(Command& command);
   std::optional<Rational> epsilon() const { return parse_near_option(near); }
   // Read the curve, with --near the one that is near what is no PH curve, which a line on stderr
   // then says; an InputError's place starts with the path.
@@ -53,6 +55,7 @@ struct CurveOptions {
 
  private:
   NamedPath read_near_or_any() const;
+  void add_curve_to(Command& command);
 };
 
 /// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a
@@ -224,6 +227,7 @@ void add_construct(Program& program);
 void add_identify(Program& program);
 void add_integrate(Program& program);
 void add_sweep(Program& program);
+void add_offset(Program& program);
 void add_batch(Program& program);
 void add_compile(Program& program);
 void add_check(Program& program);

@@ -29,11 +29,12 @@ std::vector<std::string> commands(const Workshop& here) {
 
 // The quintic has the length 71/15 and turns by 0.13516216082994722857… up to t = 1/2 and by
 // 0.28585653009834106200… up to t = 1 [Farouki 2003].
-TEST_CASE("program: each command succeeds on the paper's quintic") {
+TEST_CASE("program: each command succeeds, on the paper's quintic or a plane cubic") {
   const Workshop here;
   here.write("batch.jsonl",
              R"({"curve": )" + bytes_of(here.file("quintic.json")) + R"(, "at": ["1/2"]})" + "\n");
   here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,1,1\n");
+  here.write("plane.json", bytes_of(test::root("/examples/curves/plane-cubic.json")));
   CHECK(here.run("frames quintic.json --samples 5 -o frames.csv").status == 0);
   CHECK(here.run("certify quintic.json --at 1 -o certificate.json").status == 0);
   struct Case {
@@ -60,6 +61,7 @@ TEST_CASE("program: each command succeeds on the paper's quintic") {
                      {"sweep quintic.json --profile circle:1/10", "\nf 1 2 "},
                      {"sweep quintic.json --profile circle:1/10 --exact --end-normal 0,0,1",
                       "\ndeg 2 13\nsurf 0 1 0 1 1 2 3 "},
+                     {"offset plane.json --distance 1", "4/3 + π/2"},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
                      {"check quintic.json frames.csv", "rotation-minimizing"},
@@ -114,7 +116,7 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   check_failure(
       here.run(""), 2,
       "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-      "interpolate, construct, identify, integrate, sweep, batch, compile, check, certify, "
+      "interpolate, construct, identify, integrate, sweep, offset, batch, compile, check, certify, "
       "verify, prove, page, help "
       "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");

@@ -25,13 +25,15 @@ bool is_question(const Json& command) {
 
 /// What arguments and options are that must be given.
 const std::map<std::string, std::string> needed{
-    {"CURVE", "quintic.json"}, {"FRAMES", "frames.csv"},      {"CERT", "angle.cert"},
-    {"DATA", "points.json"},   {"EXPR", "-1/(x^4 + 1)"},      {"--feed", "1 + s"},
-    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}};
+    {"CURVE", "quintic.json"}, {"FRAMES", "frames.csv"},       {"CERT", "angle.cert"},
+    {"DATA", "points.json"},   {"EXPR", "-1/(x^4 + 1)"},       {"--feed", "1 + s"},
+    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}, {"--distance", "-1,1/2"}};
 
-/// What else a command cannot do without, as command and option.
+/// What else a command cannot do without, or wants in place of that, as command and option.
 const std::map<std::string, std::map<std::string, std::string>> needed_by{
-    {"frames", {{"--samples", "3"}}}, {"mtf", {{"--from", "pi/8"}, {"--to", "1"}}}};
+    {"frames", {{"--samples", "3"}}},
+    {"mtf", {{"--from", "pi/8"}, {"--to", "1"}}},
+    {"offset", {{"CURVE", "plane.json"}}}};
 
 std::string key_of(std::string option) {
   option.erase(0, option.find_first_not_of('-'));
@@ -53,12 +55,12 @@ Asked asked(const Workshop& here, const Json& command) {
   for (const Json& option : command["options"]) {
     const std::string as_typed = option["names"].back();
     std::string value;
-    if (option["required"] == true) {
+    if (more != needed_by.end() && more->second.count(as_typed) == 1) {
+      value = more->second.at(as_typed);
+    } else if (option["required"] == true) {
       CAPTURE(name);
       REQUIRE_MESSAGE(needed.count(as_typed) == 1, as_typed << ": no value of it is known here");
       value = needed.at(as_typed);
-    } else if (more != needed_by.end() && more->second.count(as_typed) == 1) {
-      value = more->second.at(as_typed);
     } else {
       continue;
     }
@@ -79,6 +81,7 @@ std::string json_option(const Json& command) {
 }
 
 void prepare(const Workshop& here) {
+  here.write("plane.json", bytes_of(test::root("/examples/curves/plane-cubic.json")));
   here.write("points.json", R"({"phrame": "points/1", "points": [[0, 0], [1, 0.25]],
       "tangents": [[1, 1], [1, "-2"]]})");
   REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);

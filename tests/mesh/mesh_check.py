@@ -184,9 +184,10 @@ def check_normals(place, suffix):
         p = [[float(Fraction(x) + Fraction(o) - y) for x, o, y in zip(points[k], origin, place)] for k in corners]
         u, v = ([x - y for x, y in zip(end, p[0])] for end in p[1:])
         normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-        out = [[x - y for x, y in zip(corner, at(nearest(corner), 0))] for corner in p]
-        if math.dist([sum(xs) / 3 for xs in zip(*out)], (0, 0, 0)) < 0.9 * RADIUS:
-            continue  # a cap
+        ts = [nearest(corner) for corner in p]
+        if max(ts) - min(ts) < 1e-3:
+            continue  # a cap: all of it is in one section
+        out = [[x - y for x, y in zip(corner, at(t, 0))] for corner, t in zip(p, ts)]
         for d in out:
             cosine = sum(x * y for x, y in zip(d, normal)) / math.hypot(*d) / math.hypot(*normal)
             greatest = max(greatest, math.acos(min(1, cosine)))

@@ -25,6 +25,12 @@ REGISTRY = Registry().with_resources((name, Resource.from_contents(schema)) for 
 MIXED = json.dumps({"phrame": "spline/1", "name": "mixed", "segments": [
     {"basis": "power", "preimage": {"u": [1], "v": [0, "1/2"], "p": [0], "q": ["1/2"]}},
     {"control_points": [["5/4", "1/4", 0], ["5/3", "1/2", 0], [2, 1, 1]]}]})
+CORNER = json.dumps({"phrame": "spline/1", "segments": [
+    {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 1, 0]]}]})
+PLANE = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": ["1/100"]}})
+TURN = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})
+THERE_AND_BACK = json.dumps({"phrame": "curve/1", "basis": "power", "multiplier": [1, -2],
+                             "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})
 NOT_PH = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]})
 CUSP = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": [0]}})
 
@@ -112,6 +118,13 @@ def check_command_line(folder):
         ask("sweep", curve, "--profile", "polygon:3,1/9", "--exact", "--format", "json")
         for frame in ("erf", "frenet"):
             ask("certify", curve, "--frame", frame)
+    for name, text in (("corner", CORNER), ("plane", PLANE), ("turn", TURN), ("there", THERE_AND_BACK)):
+        curve = here / f"{name}.offset"
+        curve.write_text(text)
+        for join in ("round", "mitre", "open"):
+            ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--print", "json")
+            if join != "open":
+                ask("offset", curve, "--distance", "1/2", "--join", join, "--print", "curve")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"
     ask("sweep", rational, "--profile", "rectangle:1/9,1/7", "--exact", "--format", "json")
@@ -156,6 +169,7 @@ def check_lines():
     takes_line = validator(json.loads(phrame("help", "--schema"))).is_valid
     lines = [json.loads(line) for name in ("curves.jsonl", "questions.jsonl") for line in open(ROOT / "examples" / name)]
     extra = {"frames": {"samples": 3}, "mtf": {"from": "pi/8", "to": 1, "at": [0, 1]}, "sweep": {"profile": "polygon:3,1/9"},
+             "offset": {"distance": ["1/2", -1]},
              "interpolate": {"feed": "1", "period": "1/2"}, "angle": {"at": [0, "1/2"], "digits": 20}}
     curves = [json.loads(file.read_text()) for file in sorted((ROOT / "examples" / "curves").iterdir())]
     for command in commands():

@@ -51,6 +51,13 @@ std::string to_text(const TotalsAnswer& answer);
 std::string to_json(const TotalsAnswer& answer);
 std::string to_latex(const TotalsAnswer& answer);
 /// @}
+/// @{ offset/1.
+std::string to_text(const OffsetAnswer& answer);
+std::string to_json(const OffsetAnswer& answer);
+std::string to_latex(const OffsetAnswer& answer);
+/// The offsets as a curve file, or, where they are several paths, one on each line.
+std::string write_offsets(const OffsetAnswer& answer);
+/// @}
 /// @{ mtf/1.
 std::string to_text(const MinimalTwistAnswer& answer);
 std::string to_json(const MinimalTwistAnswer& answer);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/nearness.hpp"
@@ -229,6 +230,64 @@ JsonOutput json_of(const NamedCurve& named) {
   json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
   if (!(named.curve.multiplier() == Polynomial{1}))
     json["multiplier"] = list(named.curve.multiplier());
+  return json;
+}
+
+JsonOutput json_of(const RationalCurve& curve) {
+  JsonOutput json = {{"phrame", "curve/1"}};
+  const long n = degree(curve);
+  const std::vector<Rational> weights = to_bernstein(curve.weight(), n);
+  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w <= 0; })) {
+    json["basis"] = "power";
+    const auto list = [](const Polynomial& p) {
+      return p.is_zero() ? JsonOutput::array({"0"}) : json_of(p);
+    };
+    const auto& [x, y, z] = curve.numerator();
+    json["position"] = {
+        {"x", list(x)}, {"y", list(y)}, {"z", list(z)}, {"w", list(curve.weight())}};
+    return json;
+  }
+  JsonOutput points = JsonOutput::array();
+  Vector<std::vector<Rational>> numerator;
+  for (std::size_t k = 0; k < 3; ++k) numerator[k] = to_bernstein(curve.numerator()[k], n);
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    points.push_back(json_of(Vector<Rational>{
+        numerator[0][k] / weights[k], numerator[1][k] / weights[k], numerator[2][k] / weights[k]}));
+  json["control_points"] = std::move(points);
+  if (curve.weight().is_constant()) return json;
+  json["weights"] = JsonOutput::array();
+  for (const Rational& w : weights) json["weights"].push_back(to_string(w));
+  return json;
+}
+
+namespace {
+
+JsonOutput segment_json(const Segment& segment) {
+  if (const Curve* ph = ph_curve(segment)) return json_of(NamedCurve{"", *ph});
+  if (const RationalCurve* curve = rational_curve(segment)) return json_of(*curve);
+  throw DomainError("a segment by formulas is written as no curve");
+}
+
+}  // namespace
+
+JsonOutput json_of(const NamedPath& named) {
+  const auto& list = named.path.segments();
+  const bool is_single = list.size() == 1;
+  JsonOutput json = {{"phrame", is_single ? "curve/1" : "spline/1"}};
+  if (!named.name.empty()) json["name"] = named.name;
+  add_note(json, named.near);
+  if (is_single) {
+    json.update(segment_json(list.front()));
+    return json;
+  }
+  JsonOutput segments = JsonOutput::array();
+  for (const Segment& segment : list) {
+    JsonOutput part = segment_json(segment);
+    part.erase("phrame");
+    if (!segments.empty()) part.erase("start");
+    segments.push_back(std::move(part));
+  }
+  json["segments"] = std::move(segments);
   return json;
 }
 

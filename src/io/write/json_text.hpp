@@ -52,6 +52,10 @@ JsonOutput json_if_known(const std::optional<bool>& x);
 void add_note(JsonOutput& json, const std::optional<Nearness>& near);
 /// A curve/1 object in the power basis.
 JsonOutput json_of(const NamedCurve& named);
+/// The same of a rational curve, by control points or by polynomials over w.
+JsonOutput json_of(const RationalCurve& curve);
+/// A curve/1 or spline/1 file. Throws DomainError for a segment by formulas.
+JsonOutput json_of(const NamedPath& named);
 /// {"epsilon": "…", "distance": "…", "unrounded_distance": "…", "bits": …, "rmf_difference":
 /// "…"}, bounds; null where there is none of the last.
 JsonOutput json_of(const Nearness& nearness);

@@ -4,6 +4,7 @@
 
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/construction.hpp"
+#include "phrame/answer/offset.hpp"
 #include "phrame/answer/wronskian.hpp"
 
 namespace phrame {
@@ -49,5 +50,13 @@ const std::string& name_of(QuinticSelection selection) {
 }
 
 const std::string& name_of(FrameWeight weight) { return name_in(frame_weights(), weight); }
+
+const Names<OffsetJoin>& offset_joins() {
+  static const Names<OffsetJoin> names{
+      {"round", OffsetJoin::round}, {"mitre", OffsetJoin::mitre}, {"open", OffsetJoin::open}};
+  return names;
+}
+
+const std::string& name_of(OffsetJoin join) { return name_in(offset_joins(), join); }
 
 }  // namespace phrame

@@ -6,6 +6,7 @@
 namespace phrame {
 
 enum class FrameWeight;
+enum class OffsetJoin;
 enum class QuinticSelection;
 enum class Reference;
 
@@ -19,10 +20,13 @@ const Names<Reference>& reference_names();            ///< "erf", "frenet", "up"
 const Names<QuinticSelection>& quintic_selections();  ///< "auto", "minimal", …
 const Names<FrameWeight>& frame_weights();            ///< "one", "torsion-curvature", "speed"
 
+const Names<OffsetJoin>& offset_joins();  ///< "round", "mitre", "open"
+
 /// @{ Of each the name in its list.
 const std::string& name_of(Reference reference);
 const std::string& name_of(QuinticSelection selection);
 const std::string& name_of(FrameWeight weight);
+const std::string& name_of(OffsetJoin join);
 /// @}
 
 }  // namespace phrame

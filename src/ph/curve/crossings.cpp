@@ -8,9 +8,11 @@
 // P is the projected curve. An arc on which P′ stays within a half-plane, d·P′ > 0, does not cross
 // itself; so do two successive ones with one d, and with P′(s) × P′(t) ≠ 0, as at a corner: two
 // points in common would be the ends of parallel chords. Two arcs whose boxes are apart do not
-// cross. Where P′(s) × P′(t) ≠ 0 on two arcs, P(s) − P(t) = 0 has one solution there at most, and
-// Newton's step N from the middle, with the derivatives of the whole arcs, holds it: it is there if
-// N is inside, and not if N is outside. Else the longer arc is halved.
+// cross; nor do those that are apart across one of them. Where P′(s) × P′(t) ≠ 0 on two arcs, P(s)
+// − P(t) = 0 has one solution there at most, and Newton's step N from the middle, with the
+// derivatives of the whole arcs, holds it: it is there if N is inside, and not if N is outside.
+// Else the longer arc is halved. What becomes too short ends the search of crossings, for which
+// another projection may do better, and is told as undecided of a curve that is in a plane.
 
 namespace phrame {
 namespace {
@@ -18,6 +20,9 @@ namespace {
 constexpr long crossing_bits = 96;
 constexpr double least_arc = 0x1p-30;
 constexpr long most_pairs = 4'000'000;
+constexpr double least_plane_arc = 0x1p-24;
+constexpr long most_plane_pairs = 400'000;  // and as many for ten segments each
+constexpr std::size_t most_undecided = 64;
 
 /// A solution s = first, t = second in the two arcs.
 struct NewtonStep {
@@ -28,6 +33,14 @@ struct NewtonStep {
 class CrossingSearch {
  public:
   CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
+  /// Of a curve in a plane, with itself.
+  CrossingSearch(CurveTree& plane, const std::vector<KnownMeeting>& known)
+      : first_(plane),
+        second_(plane),
+        is_plane_(true),
+        most_pairs_(most_plane_pairs +
+                    most_plane_pairs / 10 * static_cast<long>(plane.root().last_segment)),
+        known_(known) {}
 
   std::optional<std::vector<Crossing>> with_itself() {
     return visit_self(first_.root()) ? std::optional(std::move(found_)) : std::nullopt;
@@ -36,14 +49,16 @@ class CrossingSearch {
     return visit_pair(first_.root(), second_.root()) ? std::optional(std::move(found_))
                                                      : std::nullopt;
   }
+  SelfIntersections in_plane();
 
  private:
   bool is_same_curve() const { return &first_ == &second_; }
 
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
-    if (is_one_way(node.velocity)) return true;
-    if (is_too_short(node) || !is_left()) return false;
+    if (first_.is_simple(node)) return true;
+    if (!is_left()) return false;
+    if (is_too_short(node)) return leave_undecided(node, node);
     first_.split(node);
     return visit_self(*node.halves[0]) && visit_self(*node.halves[1]) &&
            visit_pair(*node.halves[0], *node.halves[1]);
@@ -53,17 +68,18 @@ class CrossingSearch {
     if (!is_left()) return false;
     if (are_apart(a.box, b.box)) return true;
     const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
-    if (are_neighbours &&
-        (is_one_way(hull_of(a.velocity, b.velocity)) || are_transversal(a.velocity, b.velocity)))
-      return true;
-    if (!are_neighbours && a.is_arc() && b.is_arc() && are_transversal(a.velocity, b.velocity)) {
-      const auto [is_decided, crossing] = solve(a, b);
-      if (crossing) return add_crossing(a, b, *crossing);
-      if (is_decided) return true;
+    if (are_neighbours && first_.are_simple(a, b)) return true;
+    if (!are_neighbours && a.is_arc() && b.is_arc()) {
+      if (are_apart_across(a, b)) return true;
+      if (are_transversal(a.velocity, b.velocity)) {
+        const auto [is_decided, crossing] = solve(a, b);
+        if (crossing) return add_crossing(a, b, *crossing);
+        if (is_decided || is_known(a, b)) return true;
+      }
     }
     CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
     CurveTree& tree = &longer == &a ? first_ : second_;
-    if (is_too_short(longer)) return false;
+    if (is_too_short(longer)) return leave_undecided(a, b);
     tree.split(longer);
     const auto with_half = [&](CurveNode& half) {
       return &longer == &a ? visit_pair(half, b) : visit_pair(a, half);
@@ -82,19 +98,78 @@ class CrossingSearch {
   int sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
               long bits) const;
 
-  bool is_left() { return ++pairs_ <= most_pairs; }
+  bool is_known(const CurveNode& a, const CurveNode& b) const;
+  bool leave_undecided(const CurveNode& a, const CurveNode& b);
+  bool is_left() { return ++pairs_ <= most_pairs_; }
   static double size_of(const CurveNode& node) {
     return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
   }
-  static bool is_too_short(const CurveNode& node) {
-    return node.is_arc() && node.upper - node.lower < least_arc;
+  bool is_too_short(const CurveNode& node) const {
+    return node.is_arc() && node.upper - node.lower < (is_plane_ ? least_plane_arc : least_arc);
   }
 
   CurveTree& first_;
   CurveTree& second_;
+  bool is_plane_ = false;
+  long most_pairs_ = most_pairs;
+  std::vector<KnownMeeting> known_ = {};
   long pairs_ = 0;
   std::vector<Crossing> found_;
+  std::vector<UndecidedCrossing> undecided_;
 };
+
+CurvePart part_of(const CurveNode& arc) { return {arc.first_segment, arc.lower, arc.upper}; }
+
+bool is_on(const CurveNode& arc, std::size_t segment, const RealAlgebraic& t) {
+  return arc.first_segment == segment && compare(t, exact_sum(arc.lower, 0).midpoint()) >= 0 &&
+         compare(t, exact_sum(arc.upper, 0).midpoint()) <= 0;
+}
+
+/// Is there a point that the arcs are known to have in common? If they are transversal, they have
+/// no other one.
+bool CrossingSearch::is_known(const CurveNode& a, const CurveNode& b) const {
+  return std::ranges::any_of(known_, [&](const KnownMeeting& x) {
+    return is_on(a, x.first_segment, x.first_t) && is_on(b, x.second_segment, x.second_t);
+  });
+}
+
+/// The least part around both, where they are of one segment and not far from each other.
+std::optional<CurvePart> merged(const CurvePart& a, const CurvePart& b) {
+  constexpr double near = 0x1p-20;
+  if (a.segment != b.segment || a.lower > b.upper + near || b.lower > a.upper + near)
+    return std::nullopt;
+  return CurvePart{a.segment, std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+/// Goes on without these, of a curve in a plane.
+bool CrossingSearch::leave_undecided(const CurveNode& a, const CurveNode& b) {
+  if (!is_plane_) return false;
+  for (auto& [first, second] : undecided_) {
+    const auto one = merged(first, part_of(a));
+    const auto other = merged(second, part_of(b));
+    if (!one || !other) continue;
+    first = *one;
+    second = *other;
+    return true;
+  }
+  undecided_.push_back({part_of(a), part_of(b)});
+  return undecided_.size() < most_undecided;
+}
+
+SelfIntersections CrossingSearch::in_plane() {
+  SelfIntersections result;
+  result.is_cut_off = !visit_self(first_.root());
+  const auto place = [](std::size_t segment, double t) { return std::pair(segment, t); };
+  std::ranges::sort(found_, {}, [&](const Crossing& x) {
+    return place(x.first_segment, approximate(x.first_t));
+  });
+  std::ranges::sort(undecided_, {}, [&](const UndecidedCrossing& x) {
+    return place(x.first.segment, x.first.lower);
+  });
+  result.found = std::move(found_);
+  result.undecided = std::move(undecided_);
+  return result;
+}
 
 /// N for the parameters in s and t.
 NewtonStep CrossingSearch::newton(const CurveNode& a, const RealBall& s, const CurveNode& b,
@@ -143,6 +218,9 @@ int CrossingSearch::sign_at(const CurveNode& a, const RealBall& s, const CurveNo
                             const RealBall& t, long bits) const {
   const Vector<BallPolynomial> p = first_.space_series(a.first_segment, s, 2, bits);
   const Vector<BallPolynomial> q = second_.space_series(b.first_segment, t, 2, bits);
+  if (is_plane_)
+    return sign(subtract(multiply(p[0].coefficient(1), q[1].coefficient(1), bits),
+                         multiply(p[1].coefficient(1), q[0].coefficient(1), bits), bits));
   RealBall determinant;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3;
@@ -165,7 +243,7 @@ bool CrossingSearch::add_crossing(const CurveNode& a, const CurveNode& b, Newton
     if (sign != 0 && at.first.is_accurate(40) && at.second.is_accurate(40)) break;
     at = newton(a, at.first, b, at.second, bits);
   }
-  if (sign == 0) return false;
+  if (sign == 0) return leave_undecided(a, b);
   found_.push_back({a.first_segment, at.first, b.first_segment, at.second, sign});
   return true;
 }
@@ -184,6 +262,12 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
   CurveTree one(first, v);
   CurveTree other(second, v);
   return CrossingSearch(one, other).with_other();
+}
+
+SelfIntersections self_intersections(const CurveSeries& curve,
+                                     const std::vector<KnownMeeting>& known) {
+  CurveTree tree(curve, {0, 0, 1});
+  return CrossingSearch(tree, known).in_plane();
 }
 
 long sum_of_signs(const std::vector<Crossing>& crossings) {

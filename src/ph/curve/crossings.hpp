@@ -27,6 +27,40 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
                                                       const CurveSeries& second,
                                                       const Vector<Rational>& v);
 
+/// A part [lower, upper] of a segment.
+struct CurvePart {
+  std::size_t segment;  ///< 0, 1, …
+  double lower;         ///< of its parameter
+  double upper;         ///< likewise
+};
+/// Two parts, or one and itself, of which it is not told whether they meet.
+struct UndecidedCrossing {
+  CurvePart first;   ///< the earlier one
+  CurvePart second;  ///< the later one
+};
+/// Where a plane curve meets itself.
+struct SelfIntersections {
+  /// Each once, by first place, with the sign of r′(first) × r′(second).
+  std::vector<Crossing> found;
+  std::vector<UndecidedCrossing> undecided;  ///< parts of less than 2^−24 of a segment, by place
+  bool is_cut_off = false;  ///< was there so much undecided that the rest was not looked at?
+  bool is_complete() const { return undecided.empty() && !is_cut_off; }  ///< are these all?
+};
+/// Two places of a curve that are known to be one point, exactly.
+struct KnownMeeting {
+  std::size_t first_segment;   ///< the segment of one
+  RealAlgebraic first_t;       ///< and its parameter
+  std::size_t second_segment;  ///< those of the other, which is not before it
+  RealAlgebraic second_t;      ///< likewise
+};
+/// All places where a curve in a plane z = const meets itself, open or closed, with cusps and
+/// corners, proved like self_crossings(): at a place that is found there is one point in common,
+/// which both branches cross, and elsewhere there is none but in undecided parts, as where it
+/// touches itself or ends on itself. The turning of the curve is wanted (plane_series()). Where
+/// both branches cross at a meeting that is known, it is not found again, nor undecided.
+SelfIntersections self_intersections(const CurveSeries& curve,
+                                     const std::vector<KnownMeeting>& known = {});
+
 /// The sum of the signs: for a curve with itself the linking number of the curve with its copy
 /// shifted along v, and for two curves twice their linking number.
 long sum_of_signs(const std::vector<Crossing>& crossings);

@@ -7,6 +7,16 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
+// Why a part of a plane curve P′ = p·H/W² does not meet itself, where H is in an open half-plane,
+// d·H > 0. If p keeps its sign, d·P increases or decreases. If p changes it at one place c, and H
+// turns one way, the angle φ of H against H(c) has the sign of t − c, or the opposite one, and so
+// p·sin φ one sign: P moves to one side of the line through P(c) along H(c) on both branches of
+// the cusp, so that P(s) = P(t) would need s, t on one side of c, where p keeps its sign. The same
+// holds where two segments with one tangent turn back at their joint, one of which may be straight.
+// There it may also be that they turn to different sides, or have a different curvature only. Over
+// X along the tangent both are then graphs on one side, with d(sin φ)/dX = κ: where all κ of the
+// one are less than all of the other, so are the slopes, and the graphs meet at the joint alone.
+
 namespace phrame {
 namespace {
 
@@ -36,16 +46,36 @@ bool is_bounded(const PlaneBox& box) {
   });
 }
 
-/// Where a part begins or ends: 1 of a segment is 0 of the next one, and the last one is the first.
-struct NodeEnd {
-  std::size_t segment;
-  double t;
-  friend bool operator==(const NodeEnd&, const NodeEnd&) = default;
-};
-
-NodeEnd normal_end(std::size_t segment, double t, std::size_t segments) {
-  return t < 1 ? NodeEnd{segment, t} : NodeEnd{(segment + 1) % segments, 0};
+DoubleInterval difference(const DoubleInterval& x, const DoubleInterval& y) {
+  const double error = slack * (size_of(x) + size_of(y));
+  return {x.lower - y.upper - error, x.upper - y.lower + error};
 }
+
+/// A little more than a·b.
+DoubleInterval dot_product(const std::array<double, 2>& a, const PlaneBox& b) {
+  const DoubleInterval x = product({a[0], a[0]}, b[0]);
+  const DoubleInterval y = product({a[1], a[1]}, b[1]);
+  const double error = slack * (size_of(x) + size_of(y));
+  return {x.lower + y.lower - error, x.upper + y.upper + error};
+}
+
+/// How many of these, ascending, are in (a, b); in (a, b] or [a, b) those at the end, too.
+long count_between(const std::vector<RealAlgebraic>& places, double a, double b, bool with_a,
+                   bool with_b) {
+  const Rational lower = exact_sum(a, 0).midpoint();
+  const Rational upper = exact_sum(b, 0).midpoint();
+  return std::count_if(places.begin(), places.end(), [&](const RealAlgebraic& x) {
+    const auto below = compare(x, lower);
+    const auto above = compare(x, upper);
+    return (with_a ? below >= 0 : below > 0) && (with_b ? above <= 0 : above < 0);
+  });
+}
+
+/// The sign after so many changes of it.
+int changed(int sign, long changes) { return changes % 2 == 0 ? sign : -sign; }
+
+/// More than one reversal: what has a gap is not seen not to meet itself.
+constexpr long not_seen = 2;
 
 }  // namespace
 
@@ -81,6 +111,20 @@ bool are_transversal(const PlaneBox& a, const PlaneBox& b) {
   return left.lower > right.upper || left.upper < right.lower;
 }
 
+bool are_apart_across(const CurveNode& a, const CurveNode& b) {
+  if (!is_bounded(a.velocity) || !is_bounded(b.velocity)) return false;
+  const std::array<double, 2> normal{-(a.velocity[1].lower / 2 + a.velocity[1].upper / 2),
+                                     a.velocity[0].lower / 2 + a.velocity[0].upper / 2};
+  // A little more than half of the parameters.
+  const auto reach = [&](const CurveNode& node) {
+    return size_of(dot_product(normal, node.velocity)) * (node.upper - node.lower) * 0.5000001;
+  };
+  const DoubleInterval gap = dot_product(
+      normal, {difference(a.middle[0], b.middle[0]), difference(a.middle[1], b.middle[1])});
+  const double distance = std::max(gap.lower, -gap.upper);
+  return distance > (reach(a) + reach(b)) * (1 + slack) && distance > 1e-300;
+}
+
 RealBall arc_parameter(const CurveNode& arc) {
   return hull(exact_sum(arc.lower, 0), exact_sum(arc.upper, 0), 2 * arc_bits);
 }
@@ -98,14 +142,52 @@ CurveTree::CurveTree(CurveSeries curve, const Vector<Rational>& v) : curve_(std:
   root_ = make_group(0, curve_.segments - 1);
 }
 
-PlaneSeries CurveTree::series(std::size_t segment, const RealBall& t, long length,
-                              long bits) const {
-  const Vector<BallPolynomial> r = curve_.position(segment, t, length, bits);
+PlaneSeries CurveTree::projected(const Vector<BallPolynomial>& r, long bits) const {
   PlaneSeries plane;
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t j = 0; j < 3; ++j)
-      plane[k] = add(plane[k], multiply(RealBall(axes_[k][j], bits), r[j], bits), bits);
+      if (axes_[k][j] != 0)
+        plane[k] = add(plane[k], multiply(RealBall(axes_[k][j], bits), r[j], bits), bits);
   return plane;
+}
+
+PlaneSeries CurveTree::series(std::size_t segment, const RealBall& t, long length,
+                              long bits) const {
+  return projected(curve_.position(segment, t, length, bits), bits);
+}
+
+bool CurveTree::meets_next(std::size_t segment) const {
+  return curve_.meets.empty() || curve_.meets[segment];
+}
+
+bool CurveTree::is_smooth_behind(std::size_t segment) const {
+  if (curve_.turning.empty()) return true;
+  const Vector<Rational>& before = curve_.turning[segment].last_direction;
+  const Vector<Rational>& after = curve_.turning[(segment + 1) % curve_.segments].first_direction;
+  return before[0] * after[1] == before[1] * after[0];
+}
+
+void CurveTree::add_turning(CurveNode& arc, const RealBall& all, const RealBall& middle) const {
+  arc.direction = arc.velocity;
+  if (curve_.turning.empty()) return;
+  const RealBall step = subtract(all, middle, arc_bits);
+  const PlaneSeries there =
+      projected(curve_.direction(arc.first_segment, middle, 1, arc_bits), arc_bits);
+  const PlaneSeries over =
+      projected(curve_.direction(arc.first_segment, all, 2, arc_bits), arc_bits);
+  for (std::size_t k = 0; k < 2; ++k)
+    arc.direction[k] =
+        interval_of(add_product(there[k].coefficient(0), over[k].coefficient(1), step, arc_bits));
+  const SegmentTurning& turning = curve_.turning[arc.first_segment];
+  const auto& turns_back = turning.reversals;
+  arc.reversals = count_between(turns_back, arc.lower, arc.upper, false, false);
+  arc.first_sign =
+      changed(turning.first_sign, count_between(turns_back, 0, arc.lower, false, true));
+  arc.last_sign = changed(arc.first_sign, arc.reversals);
+  arc.is_straight = turning.first_turn == 0;
+  if (count_between(turning.inflections, arc.lower, arc.upper, false, false) == 0)
+    arc.turn =
+        changed(turning.first_turn, count_between(turning.inflections, 0, arc.lower, false, true));
 }
 
 // Taylor's polynomials around the middle, whose last coefficient is that of the whole arc.
@@ -125,7 +207,9 @@ std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower
     const RealBall slope = add(there[k].coefficient(1), bend, arc_bits);
     node->box[k] = interval_of(add_product(there[k].coefficient(0), slope, step, arc_bits));
     node->velocity[k] = interval_of(add(slope, bend, arc_bits));
+    node->middle[k] = interval_of(there[k].coefficient(0));
   }
+  add_turning(*node, all, middle);
   return node;
 }
 
@@ -136,8 +220,16 @@ std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t 
   node->last_segment = last;
   const std::size_t middle = first + (last - first) / 2;
   node->halves = {make_group(first, middle), make_group(middle + 1, last)};
-  node->box = hull_of(node->halves[0]->box, node->halves[1]->box);
-  node->velocity = hull_of(node->halves[0]->velocity, node->halves[1]->velocity);
+  const CurveNode& one = *node->halves[0];
+  const CurveNode& other = *node->halves[1];
+  node->box = hull_of(one.box, other.box);
+  node->velocity = hull_of(one.velocity, other.velocity);
+  node->direction = hull_of(one.direction, other.direction);
+  node->first_sign = one.first_sign;
+  node->last_sign = other.last_sign;
+  node->reversals = one.reversals + other.reversals;
+  if (one.last_sign != other.first_sign) ++node->reversals;
+  if (!meets_next(middle)) node->reversals += not_seen;
   return node;
 }
 
@@ -149,14 +241,62 @@ void CurveTree::split(CurveNode& node) {
                  make_arc(node.first_segment, cut, node.upper)};
 }
 
+/// Does b begin where a ends? 1 of a segment is 0 of the next one, and the last one is the first.
+bool CurveTree::goes_on_into(const CurveNode& a, const CurveNode& b) const {
+  if (a.upper < 1) return a.last_segment == b.first_segment && a.upper == b.lower;
+  return b.lower == 0 && b.first_segment == (a.last_segment + 1) % curve_.segments &&
+         meets_next(a.last_segment);
+}
+
 bool CurveTree::share_end(const CurveNode& a, const CurveNode& b) const {
-  const auto start = [&](const CurveNode& node) {
-    return normal_end(node.first_segment, node.lower, curve_.segments);
+  return goes_on_into(a, b) || goes_on_into(b, a);
+}
+
+bool CurveTree::is_simple(const CurveNode& node) const {
+  return is_one_way(node.direction) &&
+         (node.reversals == 0 || (node.reversals == 1 && node.turn != 0));
+}
+
+/// Around the curvature along H.
+DoubleInterval CurveTree::curvature_of(const CurveNode& arc) const {
+  const PlaneSeries r = series(arc.first_segment, arc_parameter(arc), 3, arc_bits);
+  const auto product_of = [&](std::size_t k, long i, std::size_t m, long j) {
+    return multiply(r[k].coefficient(i), r[m].coefficient(j), arc_bits);
   };
-  const auto end = [&](const CurveNode& node) {
-    return normal_end(node.last_segment, node.upper, curve_.segments);
-  };
-  return end(a) == start(b) || end(b) == start(a);
+  const RealBall turn = subtract(product_of(0, 1, 1, 2), product_of(1, 1, 0, 2), arc_bits);
+  const RealBall square = add(product_of(0, 1, 0, 1), product_of(1, 1, 1, 1), arc_bits);
+  const RealBall cube = multiply(square, sqrt(square, arc_bits), arc_bits);
+  return interval_of(divide(times_power_of_two(multiply(turn, RealBall(arc.first_sign, 64), 64), 1),
+                            cube, arc_bits));
+}
+
+/// Do they part where the second one turns back behind the first one?
+bool CurveTree::are_parted(const CurveNode& one, const CurveNode& other) const {
+  if (!one.is_arc() || !other.is_arc() || one.reversals != 0 || other.reversals != 0) return false;
+  if (one.upper < 1 || !is_smooth_behind(one.last_segment)) return false;
+  // All directions of both are within a right angle.
+  const PlaneBox all = hull_of(one.direction, other.direction);
+  const DoubleInterval x = product(all[0], all[0]);
+  const DoubleInterval y = product(all[1], all[1]);
+  if (!is_bounded(all) || x.lower + y.lower <= slack * (size_of(x) + size_of(y))) return false;
+  const DoubleInterval a = curvature_of(one);
+  const DoubleInterval b = curvature_of(other);
+  return a.upper < b.lower || b.upper < a.lower;
+}
+
+bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b) const {
+  const bool is_in_order = goes_on_into(a, b);
+  const CurveNode& one = is_in_order ? a : b;
+  const CurveNode& other = is_in_order ? b : a;
+  if (one.reversals == 0 && other.reversals == 0 && are_transversal(a.direction, b.direction))
+    return true;
+  if (!is_one_way(hull_of(a.direction, b.direction))) return false;
+  const long reversals =
+      one.reversals + other.reversals + (one.last_sign != other.first_sign ? 1 : 0);
+  const bool turns_one_way = (one.turn != 0 || one.is_straight) &&
+                             (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0 &&
+                             (one.upper < 1 || is_smooth_behind(one.last_segment));
+  return reversals == 0 || (reversals == 1 && (turns_one_way || are_parted(one, other)));
 }
 
 }  // namespace phrame

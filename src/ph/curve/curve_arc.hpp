@@ -25,7 +25,8 @@ bool is_one_way(const PlaneBox& velocity);
 /// Is a × b ≠ 0 for all vectors of the boxes?
 bool are_transversal(const PlaneBox& a, const PlaneBox& b);
 
-/// A part of a curve: [lower, upper] of one segment, or several whole segments.
+/// A part of a curve: [lower, upper] of one segment, or several whole segments. Where the turning
+/// of the curve is not known, its velocity is its direction, and nothing turns back.
 struct CurveNode {
   std::size_t first_segment = 0;
   std::size_t last_segment = 0;  ///< included
@@ -33,6 +34,13 @@ struct CurveNode {
   double upper = 1;              ///< of that of the last one
   PlaneBox box{};                ///< the projected part is in it
   PlaneBox velocity{};           ///< and its derivative in this one
+  PlaneBox middle{};             ///< of an arc, the point in the middle of its parameters
+  PlaneBox direction{};          ///< H is in this one
+  long reversals = 0;  ///< how often it turns back; more than 1 where there is a gap in it, too
+  int first_sign = 1;  ///< of p where it starts
+  int last_sign = 1;   ///< and where it ends
+  int turn = 0;        ///< the sign of H × H′ on an arc; 0 where it is not known or changes
+  bool is_straight = false;  ///< is an arc known to be one?
   std::array<std::unique_ptr<CurveNode>, 2> halves = {};
 
   bool is_arc() const { return first_segment == last_segment; }  ///< is it of one segment?
@@ -43,7 +51,11 @@ RealBall arc_parameter(const CurveNode& arc);
 /// The middle of a ball, exactly.
 RealBall midpoint_of(const RealBall& x);
 
-/// A closed curve, projected along v to a plane, in parts of parts.
+/// Do the arcs lie apart, seen along a normal of the first one? So do those of nearly parallel
+/// branches, whose boxes have points in common.
+bool are_apart_across(const CurveNode& a, const CurveNode& b);
+
+/// A curve, projected along v to a plane, in parts of parts.
 class CurveTree {
  public:
   CurveTree(CurveSeries curve, const Vector<Rational>& v);
@@ -53,6 +65,10 @@ class CurveTree {
   void split(CurveNode& node);
   /// Does the one end where the other begins?
   bool share_end(const CurveNode& a, const CurveNode& b) const;
+  /// Is it seen that the part does not meet itself, or the two parts, which share an end, not each
+  /// other anywhere else?
+  bool is_simple(const CurveNode& node) const;
+  bool are_simple(const CurveNode& a, const CurveNode& b) const;
 
   /// The projected curve, and the curve itself, around t.
   PlaneSeries series(std::size_t segment, const RealBall& t, long length, long bits) const;
@@ -64,6 +80,13 @@ class CurveTree {
  private:
   std::unique_ptr<CurveNode> make_arc(std::size_t segment, double lower, double upper) const;
   std::unique_ptr<CurveNode> make_group(std::size_t first, std::size_t last) const;
+  void add_turning(CurveNode& arc, const RealBall& all, const RealBall& middle) const;
+  PlaneSeries projected(const Vector<BallPolynomial>& r, long bits) const;
+  bool meets_next(std::size_t segment) const;
+  bool is_smooth_behind(std::size_t segment) const;
+  DoubleInterval curvature_of(const CurveNode& arc) const;
+  bool are_parted(const CurveNode& one, const CurveNode& other) const;
+  bool goes_on_into(const CurveNode& a, const CurveNode& b) const;
 
   CurveSeries curve_;
   std::array<Vector<Rational>, 2> axes_;  ///< across v

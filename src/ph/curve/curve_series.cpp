@@ -4,13 +4,19 @@
 #include <variant>
 #include <vector>
 
+#include "phrame/ph/curve/special_points.hpp"
+
 namespace phrame {
 namespace {
 
-/// p(t + z) as a series in z, by Horner's rule.
+/// p(t + z) as a series in z. Of an interval it is that of the Taylor polynomial in the middle: the
+/// powers of t, which nearly cancel, would each be as wide as they are large.
 BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length, long bits) {
-  const BallPolynomial shift({t, RealBall(1, bits)});
-  const BallPolynomial near(p, bits);
+  const RealBall middle(t.midpoint(), 4096);
+  const BallPolynomial near = shifted(BallPolynomial(p, bits), middle, bits);
+  const RealBall step = subtract(t, middle, bits);
+  if (step.is_zero()) return truncated(near, length);
+  const BallPolynomial shift({step, RealBall(1, bits)});
   BallPolynomial value;
   for (long k = p.degree(); k >= 0; --k) {
     value = multiply_series(value, shift, length, bits);
@@ -55,6 +61,26 @@ Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBal
   return curve.series(t, 1, length, bits);
 }
 
+/// Where a polynomial that is not 0 changes its sign in (0, 1).
+std::vector<RealAlgebraic> sign_changes(const Polynomial& p) {
+  std::vector<RealAlgebraic> places;
+  for (const RealRoot& root : odd(real_roots(p, open(0, 1)))) places.push_back(root.at);
+  return places;
+}
+
+SegmentTurning turning_of(const RationalCurve& curve) {
+  const auto& [x, y, z] = curve.direction();
+  const Polynomial turn = x * differentiate(y) - y * differentiate(x);
+  SegmentTurning turning{sign_after_zero(curve.multiplier()),
+                         sign_changes(curve.multiplier()),
+                         sign_after_zero(turn),
+                         {},
+                         evaluate(curve.direction(), 0),
+                         evaluate(curve.direction(), 1)};
+  if (turning.first_turn != 0) turning.inflections = sign_changes(turn);
+  return turning;
+}
+
 }  // namespace
 
 CurveSeries series_of(const Path& path) {
@@ -68,6 +94,31 @@ CurveSeries series_of(const Path& path) {
                 [&](const auto& curve) { return series_around(curve, t, length, bits); },
                 segments[segment]);
           }};
+}
+
+CurveSeries plane_series(const std::vector<RationalCurve>& segments, std::vector<bool> meets) {
+  CurveSeries series;
+  series.segments = segments.size();
+  series.meets = std::move(meets);
+  std::vector<CurveFromStart> positions;
+  std::vector<Vector<Polynomial>> directions;
+  for (const RationalCurve& curve : segments) {
+    positions.emplace_back(curve);
+    directions.push_back(curve.direction());
+    series.turning.push_back(turning_of(curve));
+  }
+  series.position = [positions = std::move(positions)](std::size_t segment, const RealBall& t,
+                                                       long length, long bits) {
+    return series_around(positions[segment], t, length, bits);
+  };
+  series.direction = [directions = std::move(directions)](std::size_t segment, const RealBall& t,
+                                                          long length, long bits) {
+    Vector<BallPolynomial> h;
+    for (std::size_t k = 0; k < 3; ++k)
+      h[k] = taylor_series(directions[segment][k], t, length, bits);
+    return h;
+  };
+  return series;
 }
 
 }  // namespace phrame

@@ -2,21 +2,41 @@
 #include <functional>
 
 #include "phrame/algebra/ball_series.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
+/// How a plane segment r′ = p·H/W² goes and turns, with signs that algebra decides.
+struct SegmentTurning {
+  int first_sign = 1;                      ///< of p just after the start
+  std::vector<RealAlgebraic> reversals;    ///< in (0, 1), where p changes its sign
+  int first_turn = 0;                      ///< of H × H′ likewise; 0 on a straight line
+  std::vector<RealAlgebraic> inflections;  ///< in (0, 1), where that changes its sign
+  Vector<Rational> first_direction;        ///< H(0)
+  Vector<Rational> last_direction;         ///< H(1)
+};
+
 /// A curve of one or several segments, each on [0, 1], by Taylor series of its position: all that
-/// is asked of a curve to find its crossings.
+/// is asked of a curve to find its crossings. Where it has cusps, its turning is wanted, too.
 struct CurveSeries {
+  /// A vector around a place of a segment.
+  using Series = std::function<Vector<BallPolynomial>(std::size_t segment, const RealBall& t,
+                                                      long length, long bits)>;
   std::size_t segments = 0;  ///< at least one
   /// r of a segment around t, as balls: where t is one, of all series around its points.
-  std::function<Vector<BallPolynomial>(std::size_t segment, const RealBall& t, long length,
-                                       long bits)>
-      position;
+  Series position;
+  Series direction = {};                     ///< H likewise, where the turning is known
+  std::vector<SegmentTurning> turning = {};  ///< of the segments, or empty
+  /// Does each segment end where the next one starts, and the last one where the first one does?
+  /// Empty where all do.
+  std::vector<bool> meets = {};
 };
 
 /// Of such a curve.
 CurveSeries series_of(const Path& path);
+/// Of rational curves in a plane z = const, one after the other, of which those meet that are said
+/// to, with their turning. Cost: the roots of p and of H × H′.
+CurveSeries plane_series(const std::vector<RationalCurve>& segments, std::vector<bool> meets);
 
 }  // namespace phrame

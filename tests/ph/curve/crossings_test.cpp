@@ -65,3 +65,42 @@ TEST_CASE(
           circle, series_of(Path(expression_curve({"1 + cos(s)", "sin(s)", "1"}, "0", "2*pi"))), up)
           ->size() == 2);
 }
+
+TEST_CASE("crossings: a plane curve that turns back at a joint, and meets itself further on") {
+  // y = -x^2 up to 0, and back along y = -x^2/2 - 10/3 x^3: again for x = 3/20.
+  const Polynomial x{Rational(1, 2), Rational(-1, 2)};
+  const Polynomial z{0, Rational(1, 2)};
+  const RationalCurve there({x, -(x * x), {}});
+  const RationalCurve back({z, Rational(-1, 2) * z * z - Rational(10, 3) * z * z * z, {}});
+  const auto found = self_intersections(plane_series({there.turned_over(), back}, {true, false}));
+  CHECK(found.is_complete());
+  REQUIRE(found.found.size() == 1);
+  CHECK(found.found[0].first_t.contains(Rational(7, 10)));
+  CHECK(found.found[0].second_t.contains(Rational(3, 10)));
+  CHECK(found.found[0].sign == 1);
+}
+
+TEST_CASE("crossings: a plane curve with a cusp between two inflections meets itself") {
+  // (s^2, s^3(s^2 - 4/25)), -1/2 < s < 1/2: y = 0 again for s = -2/5 and 2/5.
+  const Polynomial s{Rational(-1, 2), 1};
+  const Polynomial y = s * s * s * (s * s - Polynomial{Rational(4, 25)});
+  const auto found = self_intersections(plane_series({RationalCurve({s * s, y, {}})}, {false}));
+  CHECK(found.is_complete());
+  REQUIRE(found.found.size() == 1);
+  CHECK(found.found[0].first_t.contains(Rational(1, 10)));
+  CHECK(found.found[0].second_t.contains(Rational(9, 10)));
+}
+
+TEST_CASE("crossings: of plane curves nothing is looked for at a gap, and ends may be anywhere") {
+  const auto line = [](const Rational& x, const Rational& y, const Rational& dx,
+                       const Rational& dy) {
+    return RationalCurve({Polynomial{x, dx}, Polynomial{y, dy}, {}});
+  };
+  // Two lines that cross, each 2 long, and a third apart from them.
+  const auto found = self_intersections(plane_series(
+      {line(0, 0, 2, 0), line(1, Rational(-3, 2), 0, 2), line(5, 5, 1, 1)}, {false, false, false}));
+  CHECK(found.is_complete());
+  REQUIRE(found.found.size() == 1);
+  CHECK(found.found[0].first_t.contains(Rational(1, 2)));
+  CHECK(found.found[0].second_t.contains(Rational(3, 4)));
+}

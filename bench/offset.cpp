@@ -1,0 +1,63 @@
+// Offsets of plane PH curves: exact, with their cusps, self-intersections and lengths.
+#include "phrame/answer/offset.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include "curves.hpp"
+#include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
+
+namespace phrame::bench {
+namespace {
+
+using State = benchmark::State;
+
+/// One whose offset has two cusps and meets itself three times.
+Curve quintic() {
+  return Curve({from_bernstein({-4, 6, -6}), {}, {}, from_bernstein({1, Rational(15, 14), -6})});
+}
+Rational distance() { return Rational(15557, 11760); }
+
+void offset_quintic(State& state) {
+  const Curve curve = quintic();
+  const Rational d = distance();
+  for (auto _ : state) benchmark::DoNotOptimize(offset(curve, d));
+}
+
+void offset_cusps(State& state) {
+  const PhPath path(quintic());
+  const Rational d = distance();
+  for (auto _ : state) benchmark::DoNotOptimize(cusps(offset(path, d)).size());
+}
+
+/// All three are found, and that there are no others is proved.
+void offset_self_intersections(State& state) {
+  const PhPath path(quintic());
+  const Rational d = distance();
+  for (auto _ : state) {
+    const SelfIntersections found = self_intersections(offset(path, d));
+    if (found.found.size() != 3 || !found.is_complete()) state.SkipWithError("not the right ones");
+    benchmark::DoNotOptimize(found.found.data());
+  }
+}
+
+void offset_length(State& state) {
+  const Offset made = offset(PhPath(quintic()), distance());
+  for (auto _ : state) benchmark::DoNotOptimize(length(made).stretches.data());
+}
+
+/// All of it, as the program reports it.
+void offset_report(State& state) {
+  const NamedPath path("", PhPath(quintic()));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(answer(path, OffsetQuery{{distance()}}).offsets.data());
+}
+
+BENCHMARK(offset_quintic)->Unit(benchmark::kMicrosecond);
+BENCHMARK(offset_cusps)->Unit(benchmark::kMicrosecond);
+BENCHMARK(offset_self_intersections)->Unit(benchmark::kMillisecond);
+BENCHMARK(offset_length)->Unit(benchmark::kMillisecond);
+BENCHMARK(offset_report)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace phrame::bench

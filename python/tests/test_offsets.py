@@ -1,0 +1,40 @@
+"""Offsets of plane PH paths."""
+
+import math
+
+import pytest
+
+import phrame
+from common import QUINTIC
+
+CUBIC = phrame.Curve([1], [0], [0], [0, 1])
+CORNER = phrame.Path([phrame.Curve([1], [0], [0], [0]), phrame.Curve([1], [0], [0], [1], multiplier=["1/2"], start=[1, 0, 0])])
+
+
+def test_the_offset_is_a_rational_curve_at_that_distance():
+    (path,) = CUBIC.offset("1/2")
+    assert path.kind == "rational"
+    for t in (0, "1/3", 1):
+        gap = [a - b for a, b in zip(path.point(t), CUBIC.point(t))]
+        assert sum(x * x for x in gap) == 0.25
+    assert abs(float(path.length) - (4 / 3 + math.pi / 4)) < 1e-15
+
+
+def test_joins_at_corners():
+    assert [len(CORNER.offset(1, join)) for join in ("round", "mitre", "open")] == [1, 1, 2]
+    assert len(CORNER.offset(-1)) == 2
+
+
+def test_the_report_by_ask():
+    (offset,) = phrame.ask("offset", CUBIC, distance="-1")["offsets"]
+    assert [cusp["t"]["polynomial"] for cusp in offset["cusps"]] == [["-1", "0", "2", "0", "1"]]
+    assert offset["self_intersections"] == {"complete": True, "count": 0, "places": [], "undecided": []}
+
+
+def test_what_has_no_offset():
+    with pytest.raises(ValueError, match="0 is no distance"):
+        CUBIC.offset(0)
+    with pytest.raises(ValueError, match="not one of round, mitre, open"):
+        CUBIC.offset(1, "bevel")
+    with pytest.raises(phrame.DomainError, match="no plane z = const"):
+        QUINTIC.offset(1)

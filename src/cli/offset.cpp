@@ -1,0 +1,72 @@
+#include "phrame/answer/offset.hpp"
+
+#include "phrame/cli/command.hpp"
+#include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/names.hpp"
+
+namespace phrame::cli {
+namespace {
+
+struct OffsetOptions {
+  CurveOptions curve;
+  std::vector<std::string> distances;
+  std::string join = "round";
+  std::string print = "text";
+  TextLength length;
+  std::string output;
+  long digits = 17;
+};
+
+OffsetQuery query(const OffsetOptions& options) {
+  OffsetQuery query{{}, choose("--join", options.join, offset_joins()), options.digits};
+  for (const std::string& text : split(options.distances)) {
+    query.distances.push_back(parse_option("--distance", text));
+    if (query.distances.back() == 0) throw InputError("--distance", "0 is no distance");
+  }
+  return query;
+}
+
+void run(const OffsetOptions& options) {
+  const auto print = choose<std::string (*)(const OffsetAnswer&)>(
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", write_offsets}});
+  const OffsetQuery asked = query(options);
+  const OffsetAnswer found = answer(options.curve.read_path(), asked);
+  if (!options.output.empty()) write_output(options.output, write_offsets(found));
+  if (options.output.empty() || print != write_offsets) options.length.write("-", print(found));
+}
+
+}  // namespace
+
+void add_offset(Program& program) {
+  Command& command =
+      program.add("offset", "exact offsets of a plane PH curve or spline, with their cusps");
+  const auto options = std::make_shared<OffsetOptions>();
+  options->curve.add_input_to(command);
+  command.add_list("--distance", "D,...", options->distances,
+                   "distances, > 0 to the right of travel, < 0 to the left: 1/2,-1/3");
+  command.require("--distance");
+  command.add_choice("--join", options->join, keys(offset_joins()),
+                     "what joins the offsets at a corner on its outer side: round (default),\n"
+                     "exact arcs; mitre, the tangents; open, nothing");
+  add_digits(command, options->digits);
+  command.add_option("-o,--output", "FILE", options->output,
+                     "write the offset to this file, beside the report; several paths a line each");
+  command.writes("a curve in JSON there", {"json", "jsonl"});
+  command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
+                     "text (default), json, latex, or curve: the curve file instead of a report");
+  options->length.add_to(command);
+  command.set_notes(
+      "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
+      "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
+      "are all found, and so are the places where it meets itself, but for those that are said to\n"
+      "be undecided. Nothing is cut away: what is nearer to the path than |d| is still there.\n"
+      "Behind a cusp at which the path turns back it is on the other side of travel.\n"
+      "Examples:\n"
+      "  phrame offset curve.json --distance 1/2\n"
+      "  phrame offset spline.json --distance 1/2,-1/3 --join mitre --print json\n"
+      "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
+  command.does([options] { run(*options); });
+}
+
+}  // namespace phrame::cli

@@ -1,0 +1,220 @@
+#include "phrame/answer/offset.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/cas_formula.hpp"
+#include "phrame/io/write/closed_form.hpp"
+#include "phrame/io/write/curve_file.hpp"
+#include "phrame/io/write/field.hpp"
+#include "phrame/io/write/heading.hpp"
+#include "phrame/io/write/names.hpp"
+
+namespace phrame {
+namespace {
+
+using Part = OffsetAnswer::Part;
+
+/// "17/3 + 2π ≈ 11.9", or the digits alone.
+std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
+  const std::string digits = in_words(x.rounded, notation);
+  if (!x.exact) return digits;
+  const std::string exact =
+      formula(formatted_sum(formatted_terms(*x.exact, notation), " ", notation), notation);
+  if (is_rational(*x.exact) || notation == Notation::latex) return exact;
+  return exact + " ≈ " + digits;
+}
+
+JsonOutput json_of(const OffsetAnswer::Measure& x) {
+  JsonOutput json = json_of(x.rounded);
+  if (x.exact) json["exact"] = cas_formula(*x.exact, Language::plain);
+  return json;
+}
+
+Value measure_value(const OffsetAnswer::Measure& x) {
+  return {Value::Words([&](Notation notation) { return in_words(x, notation); }),
+          [&] { return json_of(x); }};
+}
+
+std::string at(const std::string& t, Notation notation) { return formula("t = " + t, notation); }
+
+Value cusps_value(const Part& part) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (const auto& [t, turns_back] : part.cusps)
+      list.push_back(in_words(t, notation) +
+                     (turns_back ? ", where it turns back" : ", where it goes on"));
+    if (list.empty()) list.emplace_back("none");
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const auto& [t, turns_back] : part.cusps)
+      list.push_back({{"t", json_of(t)}, {"turns_back", turns_back}});
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+std::string in_words(const OffsetAnswer::Place& place, Notation notation) {
+  return (place.is_join ? "the join at " : "") + at(place.t.value, notation);
+}
+
+JsonOutput json_of(const OffsetAnswer::Place& place) {
+  JsonOutput json = json_of(place.t);
+  json["join"] = place.is_join;
+  return json;
+}
+
+JsonOutput json_of(const OffsetAnswer::Undecided& x) {
+  const auto range = [](const std::array<Decimal, 2>& t) {
+    return JsonOutput{json_of(t[0]), json_of(t[1])};
+  };
+  return {{"first", range(x.first)}, {"second", range(x.second)}};
+}
+
+/// How many there are at least, and whether these are all.
+std::string count_text(const Part& part) {
+  const std::string count = std::to_string(part.meetings.size());
+  if (part.is_cut_off) return "at least " + count + "; the rest is undecided";
+  if (part.undecided.empty()) return part.meetings.empty() ? "none" : count;
+  return fmt::format("{}, and {} undecided", count, counted(part.undecided.size(), "place"));
+}
+
+Value meetings_value(const Part& part) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list{count_text(part)};
+    for (const auto& [first, second, point] : part.meetings)
+      list.push_back(fmt::format("{} and {}: {}", in_words(first, notation),
+                                 in_words(second, notation),
+                                 formula(fmt::format("({}, {})", with_minus_sign(point[0].value),
+                                                     with_minus_sign(point[1].value)),
+                                         notation)));
+    for (const auto& [first, second] : part.undecided)
+      list.push_back(fmt::format("undecided near {} and {}", at(first[0].value, notation),
+                                 at(second[0].value, notation)));
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput places = JsonOutput::array();
+    for (const auto& [first, second, point] : part.meetings)
+      places.push_back({{"first", json_of(first)},
+                        {"second", json_of(second)},
+                        {"point", {json_of(point[0]), json_of(point[1])}}});
+    JsonOutput undecided = JsonOutput::array();
+    for (const auto& x : part.undecided) undecided.push_back(json_of(x));
+    return JsonOutput{{"complete", part.undecided.empty() && !part.is_cut_off},
+                      {"count", part.meetings.size()},
+                      {"places", places},
+                      {"undecided", undecided}};
+  };
+  return {Value::Rows(rows), json};
+}
+
+Value corners_value(const Part& part) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (const Rational& t : part.inner_corners)
+      list.push_back(at(to_string(t), notation) + ", left as it is");
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const Rational& t : part.inner_corners) list.push_back(to_string(t));
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+Value stretches_value(const Part& part) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    if (part.stretches.size() > 1)
+      for (const auto& [from, to, length] : part.stretches)
+        list.push_back(fmt::format("from {} to {}: {}", in_words(from, notation),
+                                   in_words(to, notation), in_words(length, notation)));
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const auto& [from, to, length] : part.stretches)
+      list.push_back({{"from", json_of(from)}, {"to", json_of(to)}, {"length", json_of(length)}});
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+Value paths_value(const Part& part) {
+  const auto rows = [&](Notation) {
+    std::vector<std::string> list;
+    for (const Path& path : part.paths) list.push_back(heading(NamedPath("", path)));
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const Path& path : part.paths) list.push_back(json_of(NamedPath("", path)));
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+std::string side(const Part& part) {
+  return part.distance > 0 ? "to the right of travel" : "to the left of travel";
+}
+
+Fields fields(const Part& part) {
+  Fields fields{{"distance",
+                 "distance $d$",
+                 {Value::Words([&](Notation notation) {
+                    return in_words(part.distance, notation) + ", " + side(part);
+                  }),
+                  [&] { return json_of(part.distance); }}},
+                {"paths", "exact", paths_value(part)},
+                {"cusps", "cusp, $1 + dκ = 0$", cusps_value(part)},
+                {"self_intersections", "meets itself", meetings_value(part)},
+                {"inner_corners", "inner corner", corners_value(part)},
+                {"length", "length", measure_value(part.length)},
+                {"stretches", "  stretch", stretches_value(part)}};
+  if (part.area) fields.push_back({"area", "signed area", measure_value(*part.area)});
+  return fields;
+}
+
+}  // namespace
+
+std::string to_text(const OffsetAnswer& answer) {
+  constexpr std::size_t width = 20;
+  std::string text = heading(answer.path) + "\n";
+  if (!answer.path.path.corners().empty() || closure(answer.path.path).at_corner)
+    text += fmt::format("corners joined: {}\n", name_of(answer.join));
+  const std::string signs = notes_on_signs(*answer.path.path.ph());
+  if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
+  for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
+  return text;
+}
+
+std::string to_json(const OffsetAnswer& answer) {
+  JsonOutput offsets = JsonOutput::array();
+  for (const Part& part : answer.offsets) offsets.push_back(json_of(fields(part)));
+  JsonOutput json = {{"phrame", "offset/1"},
+                     {"name", answer.path.name},
+                     {"closed", answer.is_closed},
+                     {"join", name_of(answer.join)},
+                     {"offsets", offsets}};
+  add_nearness(json, answer.path.near);
+  return pretty(json);
+}
+
+std::string to_latex(const OffsetAnswer& answer) {
+  std::string text;
+  for (const Part& part : answer.offsets) text += to_align(fields(part));
+  return text;
+}
+
+std::string write_offsets(const OffsetAnswer& answer) {
+  std::vector<NamedPath> paths;
+  for (const Part& part : answer.offsets)
+    for (const Path& path : part.paths) paths.emplace_back(answer.path.name, path);
+  return write_paths(paths);
+}
+
+}  // namespace phrame

@@ -1,0 +1,161 @@
+// r_d = r + d·n is (xσ + d·σe₁y, yσ − d·σe₁x)/σ. With n′ = φ′e₁ its derivative is (speed + dφ′)·e₁
+// = (1 + dκ)·r′, for the κ = φ′/speed that is positive where the curve turns left: H is along σe₁,
+// which has no zero, and the zeros of p are those of 1 + dκ.
+#include "phrame/ph/offset/offset.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/curve/special_points.hpp"
+
+namespace phrame {
+namespace {
+
+/// With H along e₁.
+RationalCurve offset_along(const Curve& curve, const PlaneTangent& tangent, const Rational& d) {
+  Vector<Polynomial> r = position(curve);
+  for (Polynomial& x : r) x *= tangent.sigma;
+  r[0] += d * tangent.y;
+  r[1] -= d * tangent.x;
+  RationalCurve found(r, tangent.sigma);
+  const Vector<Rational> h = evaluate(found.direction(), 0);
+  const bool is_along = h[0] * tangent.x(0) + h[1] * tangent.y(0) > 0;
+  return is_along ? found : found.turned_over();
+}
+
+void require_distance(const Rational& d) {
+  if (d == 0) throw DomainError("offset: the distance is 0");
+}
+
+/// The tangents of all segments, which are in one plane.
+std::vector<PlaneTangent> tangents_of(const PhPath& path) {
+  std::vector<PlaneTangent> tangents;
+  for (const Curve& curve : path.segments()) {
+    if (!is_level(curve))
+      throw DomainError(fmt::format(
+          "offset: the path is in no plane z = const{}",
+          path.is_curve() ? std::string()
+                          : fmt::format(", as segment {} is in none", tangents.size() + 1)));
+    tangents.push_back(plane_tangent(curve));
+  }
+  return tangents;
+}
+
+/// What is between two segments; of a path that closes, between the last and the first one, too.
+class OffsetMaker {
+ public:
+  OffsetMaker(const PhPath& path, const Rational& d, OffsetJoin join)
+      : path_(path), d_(d), join_(join), tangents_(tangents_of(path)), made_{d, {}, {}, {}} {}
+
+  Offset make() {
+    const auto& segments = path_.segments();
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      if (k > 0) add_joint(k - 1, k);
+      made_.pieces.push_back({offset_along(segments[k], tangents_[k], d_), k});
+    }
+    if (path_.closing_turn())
+      add_joint(segments.size() - 1, 0);
+    else
+      made_.meets.push_back(false);
+    return std::move(made_);
+  }
+
+ private:
+  void add_joint(std::size_t before, std::size_t after) {
+    const Curve& next = path_.segments()[after];
+    const PlaneCorner corner{next.start(), direction(tangents_[before], 1),
+                             direction(tangents_[after], 0), sign_after_zero(next.multiplier())};
+    if (corner.before == corner.after) return made_.meets.push_back(true);
+    const bool is_outer = is_outside(corner, d_);
+    if (!is_outer) made_.inner_corners.push_back(after);
+    const bool is_joined = is_outer && join_ != OffsetJoin::open;
+    made_.meets.push_back(is_joined);
+    if (!is_joined) return;
+    for (RationalCurve& curve : corner_join(corner, d_, join_)) {
+      made_.pieces.push_back({std::move(curve), after, true});
+      made_.meets.push_back(true);
+    }
+  }
+
+  const PhPath& path_;
+  const Rational& d_;
+  OffsetJoin join_;
+  std::vector<PlaneTangent> tangents_;
+  Offset made_;
+};
+
+int first_sign(const OffsetPiece& piece) { return sign_after_zero(piece.curve.multiplier()); }
+int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.multiplier()); }
+
+/// A straight line of constant weight as the PH curve that it is.
+Segment segment_of(const RationalCurve& curve) {
+  if (!curve.weight().is_constant()) return curve;
+  Vector<Polynomial> hodograph = curve.direction();
+  for (Polynomial& x : hodograph) x *= curve.multiplier();
+  auto found = identify(hodograph, point(curve, 0));
+  if (auto* ph = std::get_if<Curve>(&found)) return PhSegment(std::move(*ph));
+  return curve;
+}
+
+std::size_t next_of(const Offset& offset, std::size_t k) { return (k + 1) % offset.pieces.size(); }
+
+bool goes_on_behind(const Offset& offset, std::size_t k) {
+  return offset.meets[k] &&
+         last_sign(offset.pieces[k]) == first_sign(offset.pieces[next_of(offset, k)]);
+}
+
+}  // namespace
+
+RationalCurve offset(const Curve& curve, const Rational& d) {
+  require_distance(d);
+  return offset_along(curve, tangents_of(curve).front(), d);
+}
+
+Offset offset(const PhPath& path, const Rational& d, OffsetJoin join) {
+  require_distance(d);
+  return OffsetMaker(path, d, join).make();
+}
+
+std::vector<Path> paths(const Offset& offset) {
+  // Of what is closed, a path begins behind a cut, if there is one.
+  const std::size_t count = offset.pieces.size();
+  std::size_t first = 0;
+  if (goes_on_behind(offset, count - 1))
+    for (std::size_t k = 0; k < count && first == 0; ++k)
+      if (!goes_on_behind(offset, k)) first = next_of(offset, k);
+  std::vector<Path> found;
+  std::vector<Segment> segments;
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t k = (first + j) % count;
+    segments.push_back(segment_of(offset.pieces[k].curve));
+    if (j + 1 < count && goes_on_behind(offset, k)) continue;
+    found.push_back(joined(std::move(segments)));
+    segments.clear();
+  }
+  return found;
+}
+
+std::vector<OffsetCusp> cusps(const Offset& offset) {
+  std::vector<OffsetCusp> found;
+  const std::size_t count = offset.pieces.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const OffsetPiece& piece = offset.pieces[k];
+    const Polynomial& p = piece.curve.multiplier();
+    const std::size_t before = (k + count - 1) % count;
+    const OffsetPiece& last = offset.pieces[before];
+    const bool is_joined = offset.meets[before];
+    const bool turns_back = is_joined && last_sign(last) != first_sign(piece);
+    if (turns_back || p(0) == 0 || (is_joined && last.curve.multiplier()(1) == 0))
+      found.push_back({k, Rational(0), turns_back});
+    for (const RealRoot& root : real_roots(p, open(0, 1)))
+      found.push_back({k, root.at, root.order % 2 != 0});
+    if (!offset.meets[k] && p(1) == 0) found.push_back({k, Rational(1), false});
+  }
+  return found;
+}
+
+}  // namespace phrame

@@ -1,0 +1,53 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/offset/offset_join.hpp"
+
+namespace phrame {
+
+/// r + d·n with n = (e₁y, −e₁x): a rational curve of degree 2·degree(curve) − 1 at most, with H
+/// along e₁, whose points are at the distance |d| along the normal. To the right of travel for d >
+/// 0; where the multiplier is negative, behind a cusp at which the curve turns back, e₁ is −r′/|r′|
+/// and that is to the left: the offset is one curve through such cusps, as the frames are [Farouki,
+/// Sakkalis 1990]. Throws DomainError for d = 0 and a curve in no plane z = const.
+RationalCurve offset(const Curve& curve, const Rational& d);
+
+/// A part of the offset of a path.
+struct OffsetPiece {
+  RationalCurve curve;   ///< with H along e₁ of the path
+  std::size_t segment;   ///< that it is the offset of, or at whose start the corner is
+  bool is_join = false;  ///< does it join others at that corner?
+};
+
+/// The offset of a path, with all that it has too much: cusps where the path is curved more than
+/// 1/|d|, and what lies nearer to another part of the path than |d|.
+struct Offset {
+  Rational distance;                ///< d, > 0 to the right
+  std::vector<OffsetPiece> pieces;  ///< in the order of the path
+  /// Does each piece end where the next one starts, and the last one where the first one does?
+  std::vector<bool> meets;
+  std::vector<std::size_t> inner_corners;  ///< the segments at whose start there is one
+};
+
+/// The offset of a path of PH curves in one plane z = const. At corners it is joined as is asked
+/// for on the outer side; on the inner side the offsets of both sides cross, as they are. Throws
+/// DomainError as above.
+Offset offset(const PhPath& path, const Rational& d, OffsetJoin join = OffsetJoin::round);
+
+/// The offset as paths, each as long as can be: it is cut where it is not joined, and where it
+/// turns back at a joint. Straight pieces are PH curves.
+std::vector<Path> paths(const Offset& offset);
+
+/// A place where 1 + dκ = 0.
+struct OffsetCusp {
+  std::size_t piece;  ///< of the offset
+  RealAlgebraic t;    ///< of it; 0 where it is at a joint
+  bool turns_back;    ///< does the sign of 1 + dκ change?
+};
+/// All of them, along the offset, isolated by Sturm's theorem. At joints, where the curvature may
+/// jump, the offset may turn back though 1 + dκ ≠ 0 on either side: that is one of them, too.
+std::vector<OffsetCusp> cusps(const Offset& offset);
+
+}  // namespace phrame

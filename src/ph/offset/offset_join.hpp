@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "phrame/ph/curve/rational_curve.hpp"
+#include "phrame/ph/offset/plane_tangent.hpp"
+
+namespace phrame {
+
+/// What joins the offsets of what meets at a corner, on its outer side.
+enum class OffsetJoin {
+  round,  ///< an arc about the corner
+  mitre,  ///< the tangents, up to where they meet
+  open    ///< nothing
+};
+
+/// A corner of a plane path, seen along e₁.
+struct PlaneCorner {
+  Vector<Rational> at;  ///< where it is
+  PlaneVector before;   ///< e₁ where the path comes to it
+  PlaneVector after;    ///< e₁ where it goes on, not parallel to that
+  int sign;             ///< 1 where e₁ is r′/|r′|, −1 where it is the opposite
+};
+
+/// Is the offset to the right of e₁ by d on the outer side of the corner, where the offsets of both
+/// sides are apart?
+bool is_outside(const PlaneCorner& corner, const Rational& d);
+
+/// What joins the offsets there, from at + d·n before to at + d·n after, with H along e₁: arcs of
+/// less than 2π/3, rational quadratics, each point of which is at the distance |d| from the corner;
+/// or two straight lines; or nothing. Precondition: is_outside().
+std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational& d,
+                                       OffsetJoin join);
+
+}  // namespace phrame

@@ -1,0 +1,132 @@
+// Newton's step leads into no pair of arcs where their common point is at an end of one, however
+// short they are. Ends of pieces are rational points, so that it is decided by algebra whether a
+// piece goes through one: X − xW and Y − yW have a root in common. Arcs that are transversal have
+// no second common point.
+#include "phrame/ph/offset/offset_meeting.hpp"
+
+#include <algorithm>
+
+namespace phrame {
+namespace {
+
+/// A point of an offset.
+struct PiecePoint {
+  std::size_t piece;
+  RealAlgebraic t;
+};
+
+bool operator<(const PiecePoint& a, const PiecePoint& b) {
+  return a.piece != b.piece ? a.piece < b.piece : compare(a.t, b.t) < 0;
+}
+bool are_same(const PiecePoint& a, const PiecePoint& b) { return !(a < b) && !(b < a); }
+
+/// Two of them that are known to be one point, the first not behind the second.
+struct PointPair {
+  PiecePoint first;
+  PiecePoint second;
+};
+
+PointPair in_order(PiecePoint a, PiecePoint b) {
+  if (b < a) std::swap(a, b);
+  return {std::move(a), std::move(b)};
+}
+
+bool contains(const std::vector<PointPair>& pairs, const PointPair& pair) {
+  return std::ranges::any_of(pairs, [&](const PointPair& x) {
+    return are_same(x.first, pair.first) && are_same(x.second, pair.second);
+  });
+}
+
+Interval interval_of(const CurvePart& part) {
+  return closed(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
+}
+
+/// Where in that part it goes through the point.
+std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
+                                   const CurvePart& part) {
+  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
+  std::vector<RealAlgebraic> places;
+  for (const RealRoot& root : real_roots(gcd(gap(0), gap(1)), interval_of(part)))
+    places.push_back(root.at);
+  return places;
+}
+
+/// r′ there, of any length, with the sign that counts where it is only known on one side.
+Vector<RealBall> velocity(const Offset& offset, const PiecePoint& at, long bits) {
+  const RationalCurve& curve = offset.pieces[at.piece].curve;
+  const RealBall t = enclose(at.t, bits);
+  const RealBall p = evaluate(curve.multiplier(), t, bits);
+  Vector<RealBall> v;
+  for (std::size_t k = 0; k < 2; ++k)
+    v[k] = multiply(p, evaluate(curve.direction()[k], t, bits), bits);
+  return v;
+}
+
+int crossing_sign(const Offset& offset, const PointPair& pair) {
+  constexpr long bits = 256;
+  const Vector<RealBall> a = velocity(offset, pair.first, bits);
+  const Vector<RealBall> b = velocity(offset, pair.second, bits);
+  return sign(subtract(multiply(a[0], b[1], bits), multiply(a[1], b[0], bits), bits));
+}
+
+/// The end of a piece as the start of the next one, where they meet.
+PiecePoint at_start(const Offset& offset, const PiecePoint& at) {
+  if (at.t.rational() != Rational(1) || !offset.meets[at.piece]) return at;
+  return {(at.piece + 1) % offset.pieces.size(), Rational(0)};
+}
+
+/// Those with an end of one part in the other one.
+void add_meetings(const Offset& offset, const CurvePart& one, const CurvePart& other,
+                  std::vector<PointPair>& pairs) {
+  for (const long end : {0L, 1L}) {
+    if (end == 0 ? one.lower > 0 : one.upper < 1) continue;
+    const Vector<Rational> at = point(offset.pieces[one.segment].curve, end);
+    for (const RealAlgebraic& t : through(offset.pieces[other.segment].curve, at, other)) {
+      const PointPair pair = in_order({one.segment, Rational(end)}, {other.segment, t});
+      const bool is_joint = are_same(at_start(offset, pair.first), at_start(offset, pair.second));
+      if (!is_joint && !contains(pairs, pair) && crossing_sign(offset, pair) != 0)
+        pairs.push_back(pair);
+    }
+  }
+}
+
+/// Each once, among the places that are found.
+void add_to(SelfIntersections& result, const Offset& offset, const std::vector<PointPair>& pairs) {
+  constexpr long bits = 96;
+  std::vector<PointPair> told;
+  for (const PointPair& pair : pairs) {
+    const PointPair place = in_order(at_start(offset, pair.first), at_start(offset, pair.second));
+    if (contains(told, place)) continue;
+    told.push_back(place);
+    const auto& [a, b] = place;
+    const Crossing found{a.piece, enclose(a.t, bits), b.piece, enclose(b.t, bits),
+                         crossing_sign(offset, place)};
+    const auto is_behind = [&](const Crossing& x) {
+      return x.first_segment != a.piece ? x.first_segment > a.piece
+                                        : approximate(x.first_t) > approximate(found.first_t);
+    };
+    result.found.insert(std::ranges::find_if(result.found, is_behind), found);
+  }
+}
+
+}  // namespace
+
+SelfIntersections self_intersections(const Offset& offset) {
+  std::vector<RationalCurve> curves;
+  for (const OffsetPiece& piece : offset.pieces) curves.push_back(piece.curve);
+  const CurveSeries series = plane_series(curves, offset.meets);
+  SelfIntersections result = self_intersections(series);
+  std::vector<PointPair> pairs;
+  for (const auto& [first, second] : result.undecided) {
+    add_meetings(offset, first, second, pairs);
+    add_meetings(offset, second, first, pairs);
+  }
+  if (pairs.empty()) return result;
+  std::vector<KnownMeeting> known;
+  for (const auto& [a, b] : pairs) known.push_back({a.piece, a.t, b.piece, b.t});
+  result = self_intersections(series, known);
+  add_to(result, offset, pairs);
+  return result;
+}
+
+}  // namespace phrame

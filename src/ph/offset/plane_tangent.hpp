@@ -1,0 +1,33 @@
+#pragma once
+#include "phrame/ph/curve/curve.hpp"
+
+namespace phrame {
+
+/// The tangent of a PH curve in a plane z = const, in lowest terms:
+///   e₁ = (x, y)/σ,  x² + y² = σ²,  r′ = speed·e₁,  φ′ = turn/σ,
+/// with σ > 0 and the angle φ of e₁, by which it turns left.
+struct PlaneTangent {
+  Polynomial x;      ///< of σ·e₁
+  Polynomial y;      ///< of σ·e₁
+  Polynomial sigma;  ///< σ, without a real root
+  Polynomial speed;  ///< f·|A|², negative where e₁ is −r′/|r′|
+  Polynomial turn;   ///< σφ′
+};
+
+/// Is z the same all along the curve?
+bool is_level(const Curve& curve);
+/// Throws DomainError where the curve is in no plane z = const.
+PlaneTangent plane_tangent(const Curve& curve);
+
+/// A direction or a point of the plane.
+struct PlaneVector {
+  Rational x;  ///< its x
+  Rational y;  ///< its y
+  friend bool operator==(const PlaneVector&, const PlaneVector&) = default;
+};
+/// e₁ there, exact.
+PlaneVector direction(const PlaneTangent& tangent, const Rational& t);
+/// (e₁, n) turn to the right: n = (e₁y, −e₁x).
+inline PlaneVector right_normal(const PlaneVector& e1) { return {e1.y, -e1.x}; }
+
+}  // namespace phrame

@@ -1,0 +1,114 @@
+#include "phrame/io/read/any_path.hpp"
+#include "phrame/io/write/curve_file.hpp"
+
+#include "cli/workshop.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/offset/offset.hpp"
+#include "support/random.hpp"
+
+namespace offset_cli_test {
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace {
+
+const char* const turn = R"({"phrame": "curve/1", "basis": "power",
+    "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})";
+const char* const corner = R"({"phrame": "spline/1", "segments": [
+    {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 1, 0]]}]})";
+
+}  // namespace
+
+TEST_CASE("offset: cusps, lengths and self-intersections, in text and JSON") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const Run text = here.run("offset turn.json --distance -1 --digits 12");
+  check_success(text);
+  CHECK(contains(text.out, "−1, to the left of travel"));
+  CHECK(contains(text.out, "0.643594252905…, where it turns back"));
+  CHECK(contains(text.out, "0.411261664757"));
+  CHECK(contains(text.out, "0.173798671296"));
+  const Run json = here.run("offset turn.json --distance 1,-1 --print json");
+  check_success(json);
+  const Json answer = Json::parse(json.out);
+  REQUIRE(answer["offsets"].size() == 2);
+  CHECK(answer["offsets"][0]["cusps"].empty());
+  CHECK(answer["offsets"][0]["length"]["exact"] == "4/3 + 1/2*pi");
+  CHECK(answer["offsets"][1]["cusps"][0]["turns_back"] == true);
+  CHECK(answer["offsets"][1]["self_intersections"]["complete"] == true);
+  CHECK(contains(here.run("offset turn.json --distance 1 --print latex").out, "\\frac{4}{3}"));
+}
+
+TEST_CASE("offset: the file that is written is the offset, and other commands read it") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const Run run = here.run("offset turn.json --distance -1 -o off.json");
+  check_success(run);
+  const NamedPath back = read_any_path(bytes_of(here.file("off.json")));
+  REQUIRE(back.path.segments().size() == 1);
+  const Curve curve({{1}, {}, {}, {0, 1}});
+  CHECK(back.path == paths(offset(PhPath(curve), -1)).front());
+  check_success(here.run("info off.json"));
+  check_success(here.run("frames off.json --samples 3"));
+  check_success(here.run("offset turn.json --distance -1 --print curve"));
+}
+
+TEST_CASE("offset: law: write, read, the same curves, with joins and with weights below 0") {
+  for_samples(20, [](Random& random) {
+    const auto p = [&] {
+      return from_bernstein({random.integer(-6, 6), random.integer(-6, 6), random.integer(-6, 6)});
+    };
+    PhPath path(Curve({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}}));
+    const Curve next({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}}, Polynomial{1},
+                     control_points(path.segments().front()).back());
+    try {
+      path.append(next);
+    } catch (const DomainError&) {
+      return;  // the tangent turns back
+    }
+    for (const OffsetJoin join : {OffsetJoin::round, OffsetJoin::mitre})
+      for (const Path& offset : paths(offset(path, random.integer(0, 1) == 0 ? -1 : 2, join)))
+        CHECK(read_any_path(write_path(NamedPath("", offset))).path == offset);
+  });
+}
+
+TEST_CASE("offset: several paths are a line each, which a batch reads") {
+  const Workshop here;
+  here.write("corner.json", corner);
+  const Run run = here.run("offset corner.json --distance -1/4 -o off.jsonl");
+  check_success(run);
+  CHECK(contains(run.out, "inner corner"));
+  const Run batch = here.run("batch off.jsonl --question info");
+  check_success(batch);
+  CHECK(std::count(batch.out.begin(), batch.out.end(), '\n') == 2);
+}
+
+TEST_CASE("offset: joins at corners") {
+  const Workshop here;
+  here.write("corner.json", corner);
+  const auto length = [&](const std::string& join) {
+    const Run run = here.run("offset corner.json --distance 1/2 --print json --join " + join);
+    check_success(run);
+    return Json::parse(run.out)["offsets"][0]["length"]["exact"].get<std::string>();
+  };
+  CHECK(length("round") == "2 + 1/4*pi");
+  CHECK(length("mitre") == "3");
+  CHECK(length("open") == "2");
+}
+
+TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  here.write("bezier.json", R"({"control_points": [[0, 0, 0], [1, 2, 0], [3, 0, 0]]})");
+  check_failure(here.run("offset turn.json --distance 0 -o off.json"), 2,
+                "phrame: --distance: 0 is no distance\n");
+  check_failure(here.run("offset turn.json --distance 1,x -o off.json"), 2, "phrame: --distance: ");
+  check_failure(here.run("offset quintic.json --distance 1 -o off.json"), 3,
+                "phrame: offset: the path is in no plane z = const\n");
+  check_failure(here.run("offset bezier.json --distance 1 -o off.json"), 2, "phrame: bezier.json");
+  check_failure(here.run("offset turn.json"), 2, "phrame: ");
+  CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+}  // namespace offset_cli_test

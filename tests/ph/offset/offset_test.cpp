@@ -1,0 +1,365 @@
+#include "phrame/ph/offset/offset.hpp"
+
+#include <cmath>
+#include <complex>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/arc_length.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/offset_measure.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
+#include "support/paths.hpp"
+#include "support/random.hpp"
+
+namespace offset_test {
+namespace {
+
+using namespace phrame;
+using test::for_samples;
+using test::Random;
+
+/// In the plane z = const, of a preimage u + qk times a constant that turns nothing out of it.
+Curve plane_curve(Random& random, long degree) {
+  for (;;) {
+    const QuaternionPolynomial a{
+        random.polynomial(degree), {}, {}, random.nonzero_polynomial(degree)};
+    const QuaternionPolynomial turn{{random.rational()}, {Rational(1)}, {}, {}};
+    const Polynomial f = random.chance(4) ? Polynomial{1, -3} : Polynomial{1};
+    return Curve(random.chance(3) ? a * turn : a, f,
+                 {random.rational(), random.rational(), random.rational()});
+  }
+}
+
+Rational distance(Random& random) {
+  for (;;)
+    if (const Rational d = random.rational(); d != 0) return d;
+}
+
+/// Of degree 2 and small coefficients.
+Curve tame_curve(Random& random) {
+  const auto p = [&] {
+    return from_bernstein({random.integer(-6, 6), random.integer(-6, 6), random.integer(-6, 6)});
+  };
+  return Curve({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}});
+}
+
+using Point = std::complex<double>;
+
+double cross(Point a, Point b) { return a.real() * b.imag() - a.imag() * b.real(); }
+
+/// How often the polygon through points of the offset crosses itself.
+long sampled_crossings(const Offset& offset, long samples) {
+  std::vector<std::pair<Point, Point>> edges;
+  for (const OffsetPiece& piece : offset.pieces) {
+    const auto at = [&](long k) {
+      const Vector<Rational> r = point(piece.curve, Rational(k, samples));
+      return Point(static_cast<double>(r[0]), static_cast<double>(r[1]));
+    };
+    Point last = at(0);
+    for (long k = 1; k <= samples; ++k) {
+      const Point next = at(k);
+      edges.emplace_back(last, next);
+      last = next;
+    }
+  }
+  long count = 0;
+  const auto sides = [](const auto& e, const auto& f) {
+    return cross(e.second - e.first, f.first - e.first) *
+               cross(e.second - e.first, f.second - e.first) <
+           0;
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 2; j < edges.size(); ++j)
+      if (sides(edges[i], edges[j]) && sides(edges[j], edges[i])) ++count;
+  return count;
+}
+
+const Curve parabolic({{1}, {}, {}, {0, 1}});  // w = 1 + it
+
+}  // namespace
+
+TEST_CASE("offset: law: (r_d - r)^2 = d^2, and r_d - r is d times the normal to the right of e1") {
+  for_samples(60, [](Random& random) {
+    const Curve curve = plane_curve(random, random.integer(0, 4));
+    const Rational d = distance(random);
+    const RationalCurve found = offset(curve, d);
+    const Vector<Polynomial> r = position(curve);
+    const Polynomial& w = found.weight();
+    const Polynomial x = found.numerator()[0] - r[0] * w;
+    const Polynomial y = found.numerator()[1] - r[1] * w;
+    CHECK(x * x + y * y == d * d * w * w);
+    CHECK(found.numerator()[2] == r[2] * w);
+    const Polynomial s = sigma(curve.preimage());
+    const auto e1 = rotated_i(curve.preimage());
+    CHECK(x * s == d * w * e1[1]);
+    CHECK(y * s == -(d * w * e1[0]));
+    CHECK(degree(found) <= 2 * degree(curve) - 1);
+  });
+}
+
+TEST_CASE("offset: law: r_d' = (1 + d kappa) r' as rational functions, with H along e1") {
+  for_samples(60, [](Random& random) {
+    const Curve curve = plane_curve(random, random.integer(1, 4));
+    const Rational d = distance(random);
+    const RationalCurve found = offset(curve, d);
+    const Vector<Polynomial> r = hodograph(curve);
+    // kappa to the left, where e1 is r'/|r'|.
+    const Polynomial bend = r[0] * differentiate(r[1]) - r[1] * differentiate(r[0]);
+    const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
+    const RationalFunction kappa(bend, speed * speed * speed);
+    const RationalFunction factor =
+        RationalFunction(Polynomial{1}) + RationalFunction(Polynomial{d}) * kappa;
+    for (std::size_t k = 0; k < 2; ++k)
+      CHECK(differentiate(RationalFunction(found.numerator()[k], found.weight())) ==
+            factor * RationalFunction(r[k]));
+    CHECK(found.direction()[0](0) * rotated_i(curve.preimage())[0](0) >= 0);
+    CHECK(found.direction()[1](0) * rotated_i(curve.preimage())[1](0) >= 0);
+  });
+}
+
+TEST_CASE("offset: law: that of the reversed path by -d is the same set, and after a cusp by d") {
+  for_samples(30, [](Random& random) {
+    const Curve curve = plane_curve(random, 3);
+    const Rational d = distance(random);
+    const auto [positive, negative] = multiplier_signs(curve);
+    const RationalCurve there = offset(PhPath(curve), d).pieces[0].curve;
+    const RationalCurve back =
+        offset(PhPath(segment(curve, 1, 0)), positive && negative ? d : -d).pieces[0].curve;
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK((compose(there.numerator()[k], Polynomial{1, -1}) * back.weight() ==
+             back.numerator()[k] * compose(there.weight(), Polynomial{1, -1})));
+  });
+}
+
+TEST_CASE("offset: w = 1 + it, d = -1: the cusp is at sqrt(sqrt 2 - 1), and the two lengths") {
+  const Offset found = offset(PhPath(parabolic), -1);
+  const auto all = cusps(found);
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].turns_back);
+  CHECK((all[0].t == real_root(Polynomial{-1, 0, 2, 0, 1}, open(0, 1))));
+  const OffsetLength lengths = length(found);
+  REQUIRE(lengths.stretches.size() == 2);
+  CHECK(round_to_decimal(lengths.stretches[0].length.value, 15).value == "0.411261664757214");
+  CHECK(round_to_decimal(lengths.stretches[1].length.value, 15).value == "0.173798671295651");
+  CHECK(round_to_decimal(lengths.total.value, 15).value == "0.585060336052864");
+  CHECK(cusps(offset(PhPath(parabolic), 1)).empty());
+  CHECK(paths(found).size() == 1);
+}
+
+TEST_CASE("offset: a closed loop of which each part turns by a quarter has cusps at its joints") {
+  // kappa = 2/(1 + t^2)^2 on each: from 2 down to 1/2, and up again with a jump at the joint.
+  const PhPath loop = test::closed_loop();
+  const Offset found = offset(loop, -1);
+  const auto all = cusps(found);
+  CHECK(all.size() == 8);
+  long at_joints = 0;
+  for (const OffsetCusp& cusp : all) {
+    CHECK(cusp.turns_back);
+    if (cusp.t.rational() == Rational(0)) ++at_joints;
+  }
+  CHECK(at_joints == 4);
+  CHECK(paths(found).size() == 4);
+  CHECK(paths(offset(loop, 1)).size() == 1);
+  CHECK(paths(offset(loop, 1)).front().is_closed());
+}
+
+TEST_CASE("offset: law: of a closed loop it is longer by 2 pi d, its area by d L + pi d^2") {
+  const PhPath loop = test::closed_loop();
+  const DefiniteIntegral area = *signed_area(offset(loop, 1));
+  for (const Rational& d : {Rational(1), Rational(1, 3), Rational(5), Rational(-1, 10)}) {
+    const Offset found = offset(loop, d);
+    CHECK(found.meets.back());
+    const Rational length_of_loop(16, 3);
+    const DefiniteIntegral total = length(found).total;
+    REQUIRE(total.exact);
+    CHECK(total.exact->rational == length_of_loop);
+    CHECK(total.exact->pi == 2 * d);
+    const auto a = signed_area(found);
+    REQUIRE(a);
+    REQUIRE(a->exact);
+    CHECK(a->exact->pi == d * d);
+    CHECK(a->exact->rational - area.exact->rational == length_of_loop * (d - 1));
+  }
+}
+
+TEST_CASE("offset: corners are joined on the outer side, and arcs keep the distance") {
+  const Rational d(1, 3);
+  const PhPath square =
+      *Path(joined({Segment(PhSegment(Curve({{1}, {}, {}, {}}))),
+                    Segment(PhSegment(
+                        Curve({{1}, {}, {}, {1}}, Polynomial{Rational(1, 2)}, {1, 0, 0})))}))
+           .ph();
+  REQUIRE(square.corners() == std::vector<std::size_t>{1});
+  const Offset round = offset(square, d);
+  REQUIRE(round.pieces.size() == 3);
+  CHECK(round.pieces[1].is_join);
+  const RationalCurve& arc = round.pieces[1].curve;
+  const Polynomial x = arc.numerator()[0] - arc.weight();
+  CHECK(x * x + arc.numerator()[1] * arc.numerator()[1] == d * d * arc.weight() * arc.weight());
+  CHECK(paths(round).size() == 1);
+  CHECK(round.inner_corners.empty());
+  CHECK(length(round).total.exact->pi == d / 2);
+
+  const Offset mitre = offset(square, d, OffsetJoin::mitre);
+  REQUIRE(mitre.pieces.size() == 4);
+  CHECK((point(mitre.pieces[1].curve, 1) == Vector<Rational>{1 + d, -d, 0}));
+  CHECK(paths(mitre).front().corners() == std::vector<std::size_t>{2});
+  CHECK(paths(mitre).front().is_ph());
+  CHECK(paths(offset(square, d, OffsetJoin::open)).size() == 2);
+
+  const Offset inner = offset(square, -d);
+  CHECK(inner.inner_corners == std::vector<std::size_t>{1});
+  CHECK(inner.pieces.size() == 2);
+  CHECK(paths(inner).size() == 2);
+  const SelfIntersections meeting = self_intersections(inner);
+  REQUIRE(meeting.found.size() == 1);
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found[0].first_t.contains(Rational(2, 3)));
+  CHECK(meeting.found[0].second_t.contains(Rational(1, 3)));
+}
+
+TEST_CASE("offset: an arc by nearly half a turn is cut, and its parts keep the distance") {
+  for (const Rational& h : {Rational(1), Rational(2), Rational(30)}) {
+    const Rational c = (1 - h * h) / (1 + h * h);
+    const PlaneCorner corner{{0, 0, 0}, {1, 0}, {c, 2 * h / (1 + h * h)}, 1};
+    REQUIRE(is_outside(corner, 2));
+    CHECK_FALSE(is_outside(corner, -2));
+    PlaneCorner back = corner;  // behind a cusp
+    back.sign = -1;
+    CHECK(is_outside(back, -2));
+    CHECK_FALSE(is_outside(back, 2));
+    for (const RationalCurve& arc : corner_join(back, -2, OffsetJoin::round)) {
+      CHECK(sign_after_zero(arc.multiplier()) < 0);
+      CHECK(arc.direction()[1](1) > 0);
+    }
+    const auto arcs = corner_join(corner, 2, OffsetJoin::round);
+    CHECK(arcs.size() == (h == 1 ? 1 : 2));
+    for (const RationalCurve& arc : arcs)
+      CHECK(arc.numerator()[0] * arc.numerator()[0] + arc.numerator()[1] * arc.numerator()[1] ==
+            Rational(4) * arc.weight() * arc.weight());
+    CHECK((point(arcs.front(), 0) == Vector<Rational>{0, -2, 0}));
+    CHECK((point(arcs.back(), 1) == Vector<Rational>{4 * h / (1 + h * h), -2 * c, 0}));
+    if (arcs.size() == 2) CHECK((point(arcs[0], 1) == point(arcs[1], 0)));
+  }
+}
+
+TEST_CASE("offset: self-intersections are as many as a polygon through 1500 points has") {
+  long all = 0;
+  for_samples(20, [&](Random& random) {
+    const Curve curve = tame_curve(random);
+    const Rational length_of_curve = *arc_length(curve, 0, 1);
+    const Rational d = length_of_curve * Rational(2 * random.integer(-6, 5) + 1, 24);
+    const Offset found = offset(PhPath(curve), d);
+    const SelfIntersections meeting = self_intersections(found);
+    CHECK(meeting.is_complete());
+    CHECK(static_cast<long>(meeting.found.size()) == sampled_crossings(found, 1500));
+    all += static_cast<long>(meeting.found.size());
+    for (const Crossing& at : meeting.found) {
+      const auto r = [&](const RealBall& t, std::size_t k) {
+        const RationalCurve& c = found.pieces[0].curve;
+        return divide(evaluate(c.numerator()[k], t, 128), evaluate(c.weight(), t, 128), 128);
+      };
+      for (std::size_t k = 0; k < 2; ++k) CHECK(r(at.first_t, k).overlaps(r(at.second_t, k)));
+      CHECK(is_less(at.first_t, at.second_t));
+    }
+  });
+  CHECK(all >= 5);
+}
+
+TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself once") {
+  // w = 1 + 7/10 i(2t - 1): 1/kappa is least in the middle, where it is 1/2.
+  const Rational half(7, 10);
+  const Curve bow({{1}, {}, {}, {-half, 2 * half}}, Polynomial{2 * half});
+  const Offset found = offset(PhPath(bow), Rational(-3, 5));
+  CHECK(cusps(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  REQUIRE(meeting.found.size() == 1);
+  CHECK(add(meeting.found[0].first_t, meeting.found[0].second_t, 128).contains(1));
+  CHECK(self_intersections(offset(PhPath(bow), Rational(-2, 5))).found.empty());
+}
+
+TEST_CASE("offset: an arc and what turns back into it part at their joint") {
+  // It turns right, at the end with kappa = -4, and behind the corner left.
+  PhPath path(Curve({{1}, {}, {}, {2, -2}}));
+  path.append(Curve({{1}, {}, {}, {1}}, Polynomial{2}, end_point(path.segments().front())));
+  const Offset found = offset(path, Rational(1, 2));
+  REQUIRE(found.pieces.size() == 3);
+  const auto all = cusps(found);
+  REQUIRE(all.size() == 2);
+  CHECK(all[1].piece == 1);
+  CHECK(all[1].turns_back);
+  CHECK(paths(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(static_cast<long>(meeting.found.size()) == sampled_crossings(found, 1500));
+}
+
+TEST_CASE("offset: self-intersections of paths with joins are those of polygons, too") {
+  long all = 0;
+  for_samples(8, [&](Random& random) {
+    PhPath path(tame_curve(random));
+    try {
+      const Curve next = tame_curve(random);
+      path.append(Curve(next.preimage(), next.multiplier(), end_point(path.segments().front())));
+    } catch (const DomainError&) {
+      return;  // the tangent turns back
+    }
+    const Offset found = offset(path, Rational(2 * random.integer(-8, 7) + 1, 4));
+    const SelfIntersections meeting = self_intersections(found);
+    CHECK(meeting.is_complete());
+    CHECK(static_cast<long>(meeting.found.size()) == sampled_crossings(found, 1000));
+    all += static_cast<long>(meeting.found.size());
+  });
+  CHECK(all >= 5);
+}
+
+TEST_CASE("offset: what coincides or touches is undecided, with its place") {
+  // The line is traced there and back: its offset, too.
+  const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
+  const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
+  CHECK_FALSE(meeting.is_complete());
+  CHECK(meeting.found.empty());
+  // The offset by -2 ends where it begins, in the opposite direction.
+  const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
+  const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
+  CHECK(ends.found.empty());
+  REQUIRE(ends.undecided.size() == 1);
+  CHECK(ends.undecided[0].first.lower == 0);
+  CHECK(ends.undecided[0].second.upper == 1);
+}
+
+TEST_CASE("offset: what ends on itself, and passes there, is found by algebra") {
+  // The offset of the last line ends on that of the one before, in (2, 2).
+  std::vector<Segment> sides;
+  const std::vector<Vector<Rational>> points{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}};
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vector<Rational> way = points[k + 1] - points[k];
+    sides.emplace_back(PhSegment(
+        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
+  }
+  const SelfIntersections touching = self_intersections(offset(*joined(sides).ph(), -1));
+  CHECK(touching.is_complete());
+  REQUIRE(touching.found.size() == 3);
+  CHECK(touching.found[2].first_segment == 2);
+  CHECK(touching.found[2].first_t.contains(Rational(2, 3)));
+  CHECK(touching.found[2].second_segment == 3);
+  CHECK(touching.found[2].second_t.contains(1));
+}
+
+TEST_CASE("offset: no distance, and no plane z = const") {
+  CHECK_THROWS_WITH_AS(offset(parabolic, 0), "offset: the distance is 0", DomainError);
+  const Curve space({{1}, {0, 1}, {0, 0, 1}, {}});
+  CHECK_THROWS_WITH_AS(offset(PhPath(space), 1), "offset: the path is in no plane z = const",
+                       DomainError);
+  CHECK_THROWS_WITH_AS(offset(test::chain({parabolic, Curve({{1}, {0, 1}, {}, {1}}, {1})}), 1),
+                       "offset: the path is in no plane z = const, as segment 2 is in none",
+                       DomainError);
+}
+
+}  // namespace offset_test
