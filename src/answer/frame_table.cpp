@@ -122,6 +122,8 @@ class Rows {
   }
 
   TableRow at(const Place& at);
+  /// The same, where what is undecided says of which row it is.
+  TableRow named_at(const Place& at, std::size_t row);
   /// Why the last row has empty cells; nothing where it has none.
   const std::string& reason() const { return reason_; }
   /// Prepares for rows at all of these points, where they are so many that it pays.
@@ -286,6 +288,15 @@ TableRow Rows::at(const Place& at) {
   return row;
 }
 
+TableRow Rows::named_at(const Place& at, std::size_t row) {
+  try {
+    return this->at(at);
+  } catch (const Undecided& undecided) {
+    throw Undecided(
+        fmt::format("{}: {}", text_of(at).value_or(fmt::format("row {}", row)), undecided.what()));
+  }
+}
+
 void require_twists(const TableColumns& columns) {
   const bool has_mtf = !has_frame(columns, TabulatedFrame::mtf) || columns.mtf;
   const bool has_exact = !has_frame(columns, TabulatedFrame::exact_mtf) || columns.exact_mtf;
@@ -347,7 +358,7 @@ FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
   Stage stage("rows", at.size());
   for (const Place& point : at) {
     stage.advance();
-    TableRow row = rows.at(point);
+    TableRow row = rows.named_at(point, table.rows.size());
     if (columns.digits > 0) table.decimals.push_back(std::move(row.decimals));
     add_row(table, std::move(row.values),
             [&] { return text_of(point).value_or(fmt::format("row {}", table.rows.size())); });

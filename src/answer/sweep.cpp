@@ -53,7 +53,9 @@ std::optional<double> normal_tolerance_of(const SweepQuery& query) {
 SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
   query.scale.require_along(path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
-  const double turn = turn_of(path, query);
+  // What rounding leaves of no turn is none.
+  const double found = turn_of(path, query);
+  const double turn = std::abs(found) > 0x1p-44 ? found : 0;
   SweepForm form{query.profile,    query.scale,  turn,         query.tolerance_or_sections,
                  normal_tolerance, query.origin, query.numbers};
   if (normal_tolerance && query.profile_within)

@@ -67,16 +67,24 @@ const Names<std::optional<FrameParameter>>& parameter_names() {
   return names;
 }
 
+/// Are they those of the curve at the t of the table? Then that t is right.
+bool has_places(const GivenTable& table, const Path& path) {
+  if (!table.has_parameters || table.positions.size() != table.frames.size()) return false;
+  return !lacks_parameters(table, path) &&
+         are_on_curve(path, table.positions, Rational(1, 1'000'000));
+}
+
 /// Other t for the frames than those of the table, with how they are found; no value where these
 /// are right, or no others.
 std::optional<FrameParameters> parameters_on(const NamedPath& named, const GivenTable& table,
                                              const std::optional<FrameParameter>& by) {
+  if (by == FrameParameter::span) return std::nullopt;
   if (by) {
     FrameParameters found = parameters_by(*by, named, table.frames);
     found.what.clear();  // as was asked for
     return found;
   }
-  if (table.has_parameters)
+  if (table.has_parameters && !has_places(table, named.path))
     if (auto found = better_parameters(named, table.frames)) {
       found->what = "t is taken for " + found->what;
       return found;
@@ -89,12 +97,14 @@ std::optional<FrameParameters> parameters_on(const NamedPath& named, const Given
 
 /// The frames, on the curve; `reading` gets their parameters where the table has others.
 GivenTable read_on(const NamedPath& named, const std::string& bytes, const std::string& file,
-                   const std::optional<FrameParameter>& by, FrameReading& reading) {
+                   const std::optional<FrameParameter>& by, FrameReading& reading,
+                   std::string& taken) {
   GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
   for (const std::string& text : table.notes) note_at_end(fmt::format("{}: {}", file, text));
   auto found = at_place(file, ":", [&] { return parameters_on(named, table, by); });
   if (!found) return table;
-  if (!found->what.empty()) note_at_end(fmt::format("{}: {}", file, found->what));
+  taken = found->what;
+  if (!taken.empty()) note_at_end(fmt::format("{}: {}", file, taken));
   reading.parameters = std::move(found->t);
   return read_frames(bytes, reading);
 }
@@ -127,10 +137,12 @@ void run(const Command& command, const CheckOptions& options) {
   options.start.check(named.path, measure.up);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
-  const auto by = choose<std::optional<FrameParameter>>("--by", options.by, parameter_names());
+  auto by = choose<std::optional<FrameParameter>>("--by", options.by, parameter_names());
+  if (command.is_given("--by") && !by) by = FrameParameter::span;
+  std::string taken;
   if (by == FrameParameter::unit && named.path.segments().size() == 1)
     throw InputError("--by", "\"unit\" is t itself along one segment");
-  const GivenTable table = read_on(named, bytes, file, by, reading);
+  const GivenTable table = read_on(named, bytes, file, by, reading, taken);
   if (!table.has_quaternions && !table.has_matrices)
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
@@ -139,6 +151,7 @@ void run(const Command& command, const CheckOptions& options) {
   require_enough(table.frames, measure, file);
   const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
   TableReading shown{table.columns, table.skipped};
+  shown.parameters = taken;
   if (const auto better = better_reading(found, bytes, reading, table))
     shown.better = {to_options(better->reading), better->passes};
   options.length.write(options.curve.output, print(found, shown));
@@ -157,8 +170,8 @@ void add_check(Program& program) {
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
   command.add_choice("--by", options->by, keys(parameter_names()),
-                     "what t is: t (default; where the frames are not the curve's by that, what\n"
-                     "fits, and a line on stderr says what), native (the parameter of the curve's\n"
+                     "what t is: t (what is not given may be found out, which is said), native "
+                     "(the parameter of the curve's\n"
                      "file), unit (0 to 1), arc-length or fraction (of it)");
   options->start.add_to(command, StartOptions::Rule::least_rotation,
                         "the default is as the first sample");

@@ -225,12 +225,16 @@ void refuse_corners_beyond(const Angle& most, const std::vector<Corner>& corners
 }  // namespace
 
 NamedPath CurveOptions::read_any_path() const {
+  std::optional<Angle> most;
+  if (max_corner) {
+    most = parse_angle_option("--max-corner", *max_corner);
+    if (sign_of(to_real(*most)) < 0) throw InputError("--max-corner", "the angle is negative");
+  }
   NamedPath named = read_near_or_any();
   const auto corners = phrame::corners(named.path);
   if (corners.empty()) return named;
   const std::string file = name_of_file(path);
-  if (max_corner)
-    refuse_corners_beyond(parse_angle_option("--max-corner", *max_corner), corners, file);
+  if (most) refuse_corners_beyond(*most, corners, file);
   constexpr double rounding = 1e-6;
   const Corner& greatest = greatest_of(corners);
   if (approximate(greatest.angle.enclose(64)) > rounding)

@@ -67,7 +67,7 @@ Rational length_below(const Real& length) {
 void take_sides(std::vector<Place>& at, std::vector<Rational>& numbers, const Path& path,
                 Side side) {
   if (side == Side::right) return;
-  if (path.corners().empty()) throw InputError("--side", "the path has no corner");
+  if (path.corners().empty()) throw InputError("--side", "the path has no corner at a joint");
   std::vector<Place> places;
   std::vector<Rational> all;
   for (std::size_t k = 0; k < at.size(); ++k) {

@@ -245,7 +245,8 @@ void add_sweep(Program& program) {
       "--normal-tolerance", "ANGLE", options->normal_tolerance,
       "between the normals of triangles and of the surface, at most, proved; < 90deg");
   command.add_number("--sections", options->sections, {2, 1'000'000},
-                     "so many sections at equal steps of t, instead of a tolerance");
+                     "so many sections at equal steps of t, instead of a tolerance; those of\n"
+                     "corners are more, and lines from corner to corner have none between");
   command.not_with({"--sections"}, {"--tolerance", "--normal-tolerance"});
   command.add_option("--origin", "X,Y,Z", options->origin,
                      "from where coordinates are: a place, or auto for one near the body, for\n"

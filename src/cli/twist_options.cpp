@@ -60,8 +60,7 @@ std::pair<FrameStart, std::optional<FrameStart>> TwistOptions::ends(const Path& 
   const FrameStart start = end_of("--from", from, from_vector, path, {0, Rational(0)});
   if (!is_closed) return {start, end_of("--to", to, to_vector, path, phrame::end_of(path))};
   if (to || to_vector) throw InputError("--to", "the angle is given twice");
-  if (!path.is_closed())
-    throw DomainError("--closed: the curve is not closed with a continuous tangent");
+  if (!path.is_closed()) throw DomainError("--closed: the curve is not closed");
   return {start, std::nullopt};
 }
 

@@ -240,16 +240,21 @@ std::optional<FrameParameters> better_parameters(const NamedPath& named,
   const Path& path = named.path;
   const std::vector<GivenFrame> few = some_of(frames);
   const auto as_they_are = try_parameters(FrameParameter::span, named, few);
-  if (as_they_are && greatest_off(path, few, as_they_are->t) <= is_tangent) return std::nullopt;
+  const double off_now = as_they_are ? greatest_off(path, few, as_they_are->t) : HUGE_VAL;
+  if (off_now <= is_tangent) return std::nullopt;
   std::vector<FrameParameters> near;
   for (const FrameParameter kind : {FrameParameter::native, FrameParameter::unit,
                                     FrameParameter::fraction, FrameParameter::arc_length}) {
+    if (kind == FrameParameter::unit && path.segments().size() == 1) continue;  // t itself
     auto found = try_parameters(kind, named, frames);
     if (!found) continue;
     const double off = greatest_off(path, frames, found->t);
     if (off <= is_tangent) return found;
-    if (off <= is_near_tangent) near.push_back(*std::move(found));
+    const bool is_by_length =
+        kind == FrameParameter::fraction || kind == FrameParameter::arc_length;
+    if (is_by_length && off <= is_near_tangent) near.push_back(*std::move(found));
   }
+  if (off_now <= is_near_tangent) return std::nullopt;  // tangents a little off are a fault
   for (const FrameParameters& other : near)
     if (auto moved = moved_to_tangents(path, frames, other);
         moved && greatest_off(path, frames, moved->t) <= is_tangent)

@@ -31,9 +31,10 @@ FrameParameters parameters_by(FrameParameter kind, const NamedPath& named,
                               const std::vector<GivenFrame>& frames);
 
 /// Where the frames, at their t, are not the path's, by their tangents, f₂ × f₃ or f₂ alone, and
-/// are by one of the other kinds to within 10⁻⁶; or by tangents within 1/5, and where the tangents
-/// of the path next to there are those of the frames to within 10⁻⁶. No value where they are the
-/// path's as they are, where no kind fits, and for more than 20 000 frames.
+/// are by one of the other kinds to within 10⁻⁶; or, where they are no better than 1/5 at their t,
+/// by arc lengths or shares of it with tangents within 1/5, and where the tangents of the path next
+/// to there are those of the frames to within 10⁻⁶. No value where they are the path's as they are,
+/// where no kind fits, and for more than 20 000 frames.
 std::optional<FrameParameters> better_parameters(const NamedPath& named,
                                                  const std::vector<GivenFrame>& frames);
 

@@ -361,6 +361,13 @@ TEST_CASE("sweep: a mitre nearer than the tolerance stands for the sections besi
   CHECK(*body.error - *smooth.error > 0.4e-6);  // tan(α/2)
   CHECK(*body.error < 1e-3);
   CHECK(body_of(Rational(1, 10)).folds > 0);
+  // Facets that lead back into the body have normals of their own.
+  SweepQuery query = within(regular_polygon(5, 1));
+  query.normal_tolerance = Angle(Rational(1, 4), 0);
+  const auto path_of = [&](const Rational& off) {
+    return NamedPath("", joined({first, quarter({2, 2, 0}, {2 + 2 * off, 4, 0}, {0, 4, 0})}));
+  };
+  CHECK_THROWS_AS(answer(path_of(Rational(1, 10)), query), Undecided);
 }
 
 // Frustums of square pyramids: h/3·(a² + ab + b²).

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/workshop.hpp"
@@ -219,4 +222,23 @@ TEST_CASE("check: a better reading is found for curves of any kind") {
       nlohmann::json::parse(here.run("check parabola.json poses.csv --print json").out);
   CHECK(json["better_reading"]["options"] == "--quaternion xyzw");
   CHECK(json["better_reading"]["passes"] == true);
+}
+
+TEST_CASE("check: tangents that are off at the right places fail, whatever t may be") {
+  const Workshop here;
+  // Frames of t + 1/20 at the places of t, on a circle by degrees: r and the frame at 0, 1/2, 1.
+  here.write("arc.json", R"json({"phrame": "curve/1", "from": 0, "to": 1,
+      "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "0"}})json");
+  std::string table = "t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z\n";
+  for (const double t : {0.0, 0.5, 1.0}) {
+    const double off = t + (t == 0.5 ? 0.05 : 0);
+    table += fmt::format("{},{},{},0,{},{},0,{},{},0,0,0,1\n", t, std::cos(t), std::sin(t),
+                         -std::sin(off), std::cos(off), -std::cos(off), -std::sin(off));
+  }
+  here.write("off.csv", table);
+  for (const char* by : {"", " --by t"}) {
+    const Run run = here.run(std::string("check arc.json off.csv --print json") + by);
+    CHECK(run.status == 1);
+    CHECK(nlohmann::json::parse(run.out)["parameters"].is_null());
+  }
 }

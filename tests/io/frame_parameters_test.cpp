@@ -10,6 +10,7 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace frame_parameters_test {
@@ -113,16 +114,30 @@ TEST_CASE("frame parameters: those of the file, shares and lengths are told by t
   }
 }
 
-TEST_CASE("frame parameters: near to where they fit they are moved along the tangents") {
+TEST_CASE("frame parameters: shares of the length that fit nearly are moved along the tangents") {
   const NamedPath named{"", spline()};
-  const Rational off(1, 1000);
-  std::vector<Rational> given{0};
-  for (const Rational& t : some)
-    if (t != 0) given.push_back(t == 3 ? Rational(1) : Rational(t / 3 + off));
+  const PathLength length(named.path);
+  std::vector<Rational> given;
+  for (const Rational& t : some) {
+    const double share =
+        round_to_double(length.value(locate(named.path, t))) / round_to_double(length.total());
+    given.push_back(t == 0 || t == 3 ? Rational(t / 3) : exact_rational(share + 1e-3));
+  }
   const auto found = better_parameters(named, frames_at(named, some, given));
   REQUIRE(found);
   CHECK(found->what.find("moved to where the tangents") != std::string::npos);
   CHECK(farthest(found->t, some) < 1e-12);
+}
+
+TEST_CASE("frame parameters: tangents that are a little off at our t are a fault of the table") {
+  const NamedPath named{"", spline()};
+  std::vector<Rational> moved;
+  for (const Rational& t : some) moved.push_back(t == 3 ? t : Rational(t + Rational(1, 50)));
+  CHECK_FALSE(better_parameters(named, frames_at(named, moved, some)));
+  const NamedPath one{"", segment(spline(), 0, 1)};
+  const std::vector<Rational> in_one{0, Rational(1, 3), 1};
+  CHECK_FALSE(
+      better_parameters(one, frames_at(one, {0, Rational(1, 2), 1}, in_one)));  // unit is t itself
 }
 
 TEST_CASE("frame parameters: of formulas the parameter is s, from and to where they are") {

@@ -93,18 +93,39 @@ std::vector<Real> parameters_of(const std::vector<GivenSegment>& segments) {
 
 }  // namespace
 
-NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
-                  const std::optional<Rational>& gap) {
-  const std::string closed = close_gaps(segments, gap);
-  std::vector<Real> parameters = parameters_of(segments);
+namespace {
+
+Path joined_segments(std::vector<GivenSegment> segments) {
   Path path(taken_curve(segments.front()), segments.size());
-  for (std::size_t k = 1; k < segments.size(); ++k) {
-    try {
+  for (std::size_t k = 1; k < segments.size(); ++k) try {
       path.append(taken_curve(segments[k]));
     } catch (const DomainError& error) {
       fail_at(segments[k], error.what());
+    } catch (const Undecided& undecided) {
+      throw Undecided(segments[k].place + ": " + undecided.what());
     }
-  }
+  return path;
+}
+
+/// The same with gaps closed; what was closed is said.
+std::pair<Path, std::string> closed_path(std::vector<GivenSegment> segments,
+                                         const std::optional<Rational>& gap, GapsAt where) {
+  std::string closed = close_gaps(segments, gap, where);
+  return {joined_segments(std::move(segments)), std::move(closed)};
+}
+
+}  // namespace
+
+NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
+                  const std::optional<Rational>& gap) {
+  std::vector<Real> parameters = parameters_of(segments);
+  auto [path, closed] = [&] {
+    try {
+      return closed_path(segments, gap, GapsAt::joints_and_ends);
+    } catch (const InputError&) {  // perhaps since its end was moved
+      return closed_path(segments, gap, GapsAt::joints);
+    }
+  }();
   NamedPath named(std::move(name), std::move(path));
   if (!closed.empty()) named.notes.push_back(closed);
   named.parameters = std::move(parameters);

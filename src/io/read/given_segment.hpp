@@ -42,8 +42,8 @@ Vector<Rational> end_point(const GivenSegment& segment);
 /// Of segments, at least one, the path: that of PH curves where all of them are; of others those
 /// that are PH are known to be. They are identified where they are polynomial. Gaps are closed as
 /// close_gaps() does, which a note says; NamedPath::parameters are those of the segments where they
-/// all have some that follow each other, and of formulas by themselves. Throws InputError at the segment that does not go on where
-/// the one before ends, or turns back there.
+/// all have some that follow each other, and of formulas by themselves. Throws InputError at the
+/// segment that does not go on where the one before ends, or turns back there.
 NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
                   const std::optional<Rational>& gap = {});
 

@@ -50,7 +50,10 @@ class Gaps {
     }
   }
   void close_ends() {
-    if (std::holds_alternative<Curve>(segments_.back().form) || !is_long()) return;
+    if (std::holds_alternative<Curve>(segments_.back().form)) return;
+    const auto end = place_at(segments_.back(), 1);
+    const auto start = place_at(segments_.front(), 0);
+    if (!end || !start || !is_long_beside(*start - *end)) return;
     if (const auto way = way_between(segments_.back(), segments_.front()))
       move(segments_.back(), *way, {0, 1});
   }
@@ -76,9 +79,12 @@ class Gaps {
       fail_at(segment, error.what());
     }
   }
-  bool is_long() const {
+  /// Is the path much longer than that gap?
+  bool is_long_beside(const Vector<Rational>& way) const {
+    const Rational squared = dot(way, way) * 1024;
     return std::any_of(places_.begin(), places_.end(), [&](const Vector<Rational>& place) {
-      return !are_within(1024 * most_, places_.front(), place);
+      const Vector<Rational> from_start = place - places_.front();
+      return dot(from_start, from_start) > squared;
     });
   }
 
@@ -91,10 +97,11 @@ class Gaps {
 
 }  // namespace
 
-std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most) {
+std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most,
+                       GapsAt where) {
   Gaps gaps(segments, most);
   gaps.close_joints();
-  gaps.close_ends();
+  if (where == GapsAt::joints_and_ends) gaps.close_ends();
   if (gaps.count() == 0) return "";
   const Real size = square_root_of(gaps.greatest());
   return fmt::format("{} of at most {} closed, by moving a point",

@@ -5,11 +5,15 @@
 
 namespace phrame {
 
+/// Which gaps are closed.
+enum class GapsAt { joints, joints_and_ends };
+
 /// Closes gaps between segments, and from the end to the start, of at most so far; by default of
 /// what rounding of coordinates leaves (rounding_gap). A PH curve is moved, of another the start,
-/// or at last the end, by a straight motion along it; nothing is done next to formulas, nor where
-/// the whole path is hardly longer than its gap. In words how many gaps were closed, empty for
-/// none.
-std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most);
+/// or at last the end, by a straight motion along it; nothing is done next to formulas, at the end
+/// of a PH curve, and where the path is not some 32 times as large as the gap of its ends. In words
+/// how many gaps were closed, empty for none.
+std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most,
+                       GapsAt where = GapsAt::joints_and_ends);
 
 }  // namespace phrame

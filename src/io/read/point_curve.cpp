@@ -296,11 +296,12 @@ PointCurve table_curve(const NumberTable& table, GivenPoints given, const Settin
                                        {"polyline", TableKind::polyline},
                                        {"bezier", TableKind::bezier},
                                        {"bspline", TableKind::bspline}});
-  if (kind == TableKind::periodic) close_to_rounding(given.points);
+  const bool is_closed = kind == TableKind::periodic && close_to_rounding(given.points);
   fit_parameter_column(given, settings, kind);
   PointCurve result = table_curve(table, given, settings, kind, limits);
   std::erase_if(given.skipped_columns, [](const auto& name) { return lower_case(name) == "w"; });
   result.notes = notes_on_columns(given);
+  if (is_closed) result.notes.emplace_back("the last point is taken for the first one, rounded");
   return result;
 }
 

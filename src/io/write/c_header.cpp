@@ -49,7 +49,7 @@ constexpr const char* preamble =
  * {title}
  *
  * double {p}_theta(double t)
- *   The angle in radians, on a continuous branch, of the rotation-minimizing frame (f2, f3) to the
+ *   The angle in radians, continuous but at corners of the path, of the rotation-minimizing frame (f2, f3) to the
  *   {reference};
  *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
 {normal} *   Its error is at most {P}_THETA_ERROR = {angle_error}.

@@ -210,6 +210,7 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
                     reading.skipped > 0 ? fmt::format(", {} more {} skipped", reading.skipped,
                                                       reading.skipped == 1 ? "is" : "are")
                                         : ""));
+  if (!reading.parameters.empty()) text += fmt::format("\n  {}\n", reading.parameters);
   if (!v.findings.empty()) text += "\nFindings\n";
   for (const FrameFinding& finding : v.findings)
     text += fmt::format("  - {}{}\n", sentence(finding), places(finding, answer.frames));
@@ -251,6 +252,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
       {"orthogonality", upper(v.orthogonality, 2)},
       {"length", upper(v.length, 2)},
       {"findings", findings},
+      {"parameters", reading.parameters.empty() ? JsonOutput() : JsonOutput(reading.parameters)},
       {"better_reading", reading.better ? JsonOutput{{"options", reading.better->options},
                                                      {"passes", reading.better->passes}}
                                         : JsonOutput()},

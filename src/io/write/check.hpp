@@ -16,6 +16,8 @@ struct TableReading {
   };
   std::vector<std::string> columns = {};  ///< t, x, y, … where their number told what they are
   std::size_t skipped = 0;                ///< further columns there
+  /// "t is taken for the arc length", where that was found out; else empty.
+  std::string parameters = {};
   /// Where frames that do not pass would be better with other options.
   std::optional<Other> better = std::nullopt;
 };

@@ -23,6 +23,12 @@ bool close_to_rounding(std::vector<Vector<Rational>>& points) {
   if (points.size() < 3 || points.front() == points.back() ||
       !are_within(rounding_gap(points), points.front(), points.back()))
     return false;
+  const Vector<Rational> way = points.back() - points.front();
+  const bool is_long = std::any_of(points.begin(), points.end(), [&](const auto& point) {
+    const Vector<Rational> from_start = point - points.front();
+    return dot(from_start, from_start) > 1024 * dot(way, way);
+  });
+  if (!is_long) return false;
   points.back() = points.front();
   return true;
 }

@@ -52,6 +52,8 @@ class Tessellation {
   /// Finds how the sections at corners are joined: where the mitre is nearer than `within` to the
   /// sections on its sides it stands for these.
   void join_corners(double within);
+  /// Throws Undecided where a corner has facets that lead back into the body.
+  void require_no_facets() const;
   /// Between which triangles are within `tolerance` of their patches, and within the normals' one.
   SectionList sections(const std::vector<SweepPart>& parts, double tolerance) const;
   /// So many for an open path, one more for a closed one, but none on lines between mitres, and
@@ -112,6 +114,15 @@ void Tessellation::join_corners(double within) {
       is_forward = length - offset_at(k + 1)[j] - offset_at(k)[j] > length / 64;
     between_mitres_.push_back(is_forward);
   }
+}
+
+void Tessellation::require_no_facets() const {
+  for (const auto& [corner, is_one] : corners_)
+    if (has_section_before(corner) || has_section_behind(corner))
+      throw Undecided(
+          fmt::format("sweep: at the corner t = {} the body folds over itself, so that its normals "
+                      "have no bound",
+                      corner));
 }
 
 bool Tessellation::is_between_mitres(std::size_t segment) const {
@@ -388,6 +399,7 @@ SectionList within(Tessellation& tessellation, const SweepPath& path, const Swee
         "sweep: the sides of the profile are not as near to its tangents as normals are to be");
   const double left = beside_rounding(all - of_profile, path, form, scale);
   tessellation.join_corners(left * 0.04);
+  if (form.normal_tolerance) tessellation.require_no_facets();
   const SweepParts parts = tessellation.parts(left * 0.6);
   SectionList found = tessellation.sections(parts.parts, left * 0.35);
   body.error = of_profile + parts.error + found.patch_error + found.joint_error;

@@ -56,6 +56,26 @@ TEST_CASE("joints: greater gaps are closed where they are asked for, and refused
   CHECK(named.notes.front() == "a gap of at most 1.1e-2 closed, by moving a point");
 }
 
+TEST_CASE("joints: a greater EPS closes all that a smaller one does") {
+  const auto loop = [](const Rational& off) {
+    return std::vector<GivenSegment>{line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0}, {1, 1, 0}),
+                                     line({1, 1, 0}, {0, off, 0})};
+  };
+  for (const Rational& off : {Rational(1, 200), tiny / 10})
+    for (const Rational& most : {Rational(1, 100), Rational(1)})
+      CHECK(path_of("", loop(off), most).path.is_closed());
+  CHECK_FALSE(path_of("", loop(Rational(1, 200))).path.is_closed());
+}
+
+TEST_CASE("joints: an end is not moved where the path would turn back for it") {
+  const std::vector<GivenSegment> there_and_back{line({0, 0, 0}, {1, 0, 0}),
+                                                 line({1, 0, 0}, {0, tiny, 0})};
+  const NamedPath named = path_of("", there_and_back);
+  CHECK(named.notes.empty());
+  CHECK(named.path.corners().size() == 1);
+  CHECK_FALSE(named.path.ends_meet());
+}
+
 TEST_CASE("joints: a PH curve is moved as a whole, and so stays one") {
   const Curve curve({{1, 1}, {}, {0, 1}, {}}, {1}, {1, tiny, 0});
   std::vector<GivenSegment> segments{line({0, 0, 0}, {1, 0, 0}), {curve, "here"}};

@@ -22,4 +22,7 @@ TEST_CASE(
   CHECK_FALSE(close_to_rounding(open));
   std::vector<Vector<Rational>> two{{1, 0, 0}, {1, tiny, 0}};
   CHECK_FALSE(close_to_rounding(two));  // there and back is nothing
+  const Rational far = pow(Integer(10), 6);
+  std::vector<Vector<Rational>> small{{far, 0, 0}, {far, 20 * tiny, 0}, {far, 0, tiny}};
+  CHECK_FALSE(close_to_rounding(small));  // rounding is as large as they are
 }
