@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "support/data.hpp"
 
@@ -23,6 +25,16 @@ inline std::string read_data(const std::string& name) {
   text << file.rdbuf();
   REQUIRE_FALSE(text.str().empty());
   return text.str();
+}
+
+/// Why it is not read as a path; empty where it is.
+inline std::string refusal(std::string_view text, const FileReading& reading = {}) {
+  try {
+    read_any_path(text, {}, reading);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 inline const Json& farouki_2003() {

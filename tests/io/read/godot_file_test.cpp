@@ -9,17 +9,9 @@
 namespace godot_file_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
-
-std::string refusal(const std::string& text, const FileReading& reading = {}) {
-  try {
-    read_any_path(text, {}, reading);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 std::string resource(const std::string& points, const std::string& more = "") {
   return "[gd_resource type=\"Curve3D\" format=3]\n\n[resource]\n" + more +

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "support/data.hpp"
@@ -14,6 +15,7 @@
 namespace import_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
 
@@ -22,15 +24,6 @@ Path smooth(const std::string& text) {
   Path path = read_any_path(text).path;
   REQUIRE_FALSE(path.is_ph());
   return path;
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    read_any_path(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 Vector<Rational> at(const Path& path, const Rational& t) {

@@ -9,17 +9,9 @@
 namespace polyline_file_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
-
-std::string refusal(const std::string& text, const FileReading& reading = {}) {
-  try {
-    read_any_path(text, {}, reading);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 const std::string vertices = "v 0 0 0\nv 10.5 2.25 1\nv 20 0.5 4.75\nv 31 -3.5 5.5\n";
 const std::string table = "x,y,z\n0,0,0\n10.5,2.25,1\n20,0.5,4.75\n31,-3.5,5.5\n";

@@ -11,17 +11,9 @@
 namespace scipy_node_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
-
-std::string refusal(const std::string& text) {
-  try {
-    read_any_path(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 Vector<Rational> at(const Path& path, std::size_t segment, const Rational& t) {
   return point(*rational_curve(path.segments()[segment]), t);

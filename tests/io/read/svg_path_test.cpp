@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 
 namespace svg_path_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
 
@@ -16,15 +18,6 @@ std::vector<RationalCurve> curves(const std::string& text) {
   for (const GivenSegment& segment : read_path_data(text, 0, text.size()))
     list.push_back(std::get<RationalCurve>(segment.form));
   return list;
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    read_any_path(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::string svg(const std::string& content) {

@@ -3,12 +3,14 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 
 namespace three_scene_test {
 
 using namespace phrame;
+using test::refusal;
 
 namespace {
 
@@ -29,15 +31,6 @@ std::string scene(const std::string& geometries, const std::string& more = "") {
            "object": {{"uuid": "s", "type": "Scene", "children": [
              {{"uuid": "m", "type": "Mesh", "name": "pipe", "geometry": "a"}}]}}}})",
       geometries, more);
-}
-
-std::string refusal(const std::string& text, const FileReading& reading = {}) {
-  try {
-    read_any_path(text, {}, reading);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
