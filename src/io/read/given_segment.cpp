@@ -128,6 +128,8 @@ NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
   }();
   NamedPath named(std::move(name), std::move(path));
   if (!closed.empty()) named.notes.push_back(closed);
+  if (std::string open = open_ends(named.path, gap); !open.empty())
+    named.notes.push_back(std::move(open));
   named.parameters = std::move(parameters);
   return named;
 }

@@ -8,6 +8,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/gap.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -95,7 +96,35 @@ class Gaps {
   Rational greatest_{};
 };
 
+bool is_of_formulas(const Segment& segment) {
+  return std::holds_alternative<ExpressionCurve>(segment);
+}
+
+Vector<Rational> near(const Vector<Real>& v) {
+  const auto number = [](const Real& x) { return x.enclose(256).midpoint(); };
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
+std::string size_text(const Rational& square) {
+  return upper_bound_text(square_root_of(square).enclose(64).upper());
+}
+
 }  // namespace
+
+std::string open_ends(const Path& path, const std::optional<Rational>& most) {
+  const auto& segments = path.segments();
+  if (!is_of_formulas(segments.front()) && !is_of_formulas(segments.back())) return "";
+  const Vector<Rational> start = near(position(path, {0, Rational(0)}));
+  const Vector<Rational> end = near(position(path, end_of(path)));
+  const Vector<Rational> middle = near(position(path, {segments.size() / 2, Rational(1, 3)}));
+  const Rational gap = most ? *most : rounding_gap({start, end, middle});
+  const Vector<Rational> way = end - start;
+  if (!are_within(gap, start, end) || dot(middle - start, middle - start) <= 1024 * dot(way, way) ||
+      closure(path).ends_meet != false)
+    return "";
+  return fmt::format("its ends are up to {} apart, and formulas are not moved: it is open",
+                     size_text(dot(way, way)));
+}
 
 std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most,
                        GapsAt where) {
@@ -103,10 +132,9 @@ std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<
   gaps.close_joints();
   if (where == GapsAt::joints_and_ends) gaps.close_ends();
   if (gaps.count() == 0) return "";
-  const Real size = square_root_of(gaps.greatest());
   return fmt::format("{} of at most {} closed, by moving a point",
                      gaps.count() == 1 ? "a gap" : fmt::format("{} gaps", gaps.count()),
-                     upper_bound_text(size.enclose(64).upper()));
+                     size_text(gaps.greatest()));
 }
 
 }  // namespace phrame

@@ -16,4 +16,8 @@ enum class GapsAt { joints, joints_and_ends };
 std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most,
                        GapsAt where = GapsAt::joints_and_ends);
 
+/// Of a path that begins or ends with formulas, which are not moved: how far its ends are apart,
+/// where that is at most so much, by default rounding, and they are told not to meet; else empty.
+std::string open_ends(const Path& path, const std::optional<Rational>& most);
+
 }  // namespace phrame

@@ -90,6 +90,19 @@ TEST_CASE("joints: next to formulas nothing is moved") {
   CHECK(close_gaps(segments, Rational(1)).empty());
 }
 
+TEST_CASE("joints: that formulas end next to their start is said") {
+  const auto notes = [](const char* to) {
+    return path_of("", {{test::expression_curve({"cos(s)", "sin(s)", "0"}, "0", to), "here"}})
+        .notes;
+  };
+  const auto rounded = notes("6.283185307179586");
+  REQUIRE(rounded.size() == 1);
+  CHECK(rounded.front() ==
+        "its ends are up to 4.8e-16 apart, and formulas are not moved: it is open");
+  CHECK(notes("2*pi").empty());
+  CHECK(notes("6").empty());
+}
+
 TEST_CASE("joints: a table of a closed curve may end next to its first point") {
   const std::string square = "x,y\n1,0\n0,1\n-1,0\n0,-1\n1,-2.4e-16\n";
   const NamedPath periodic = read_any_path("# kind: periodic\n" + square);
