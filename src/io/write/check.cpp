@@ -28,6 +28,13 @@ std::string brief(const T& x) {
   return readable_exact(with_minus_sign(to_string(x)), limit);
 }
 
+/// t as a fraction; of a long one that was found, and is in no table, the first digits.
+std::string brief_parameter(const Rational& t, const TableReading& reading) {
+  constexpr std::size_t limit = 64;
+  if (reading.parameters.empty() || to_string(t).size() <= limit) return brief(t);
+  return with_minus_sign(round_to_decimal(t, 12).value) + "…";
+}
+
 /// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
 /// and the radius.
 Decimal rounded(const RealBall& x) {
@@ -186,11 +193,11 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
       std::minmax_element(answer.frames.begin(), answer.frames.end(),
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
   std::string text = name_prefix(answer.path.name);
-  const std::string from = brief(first->t);
+  const std::string from = brief_parameter(first->t, reading);
   text += first->t == last->t
               ? fmt::format("{}, t = {}\n\n", counted(answer.frames.size(), "frame"), from)
               : fmt::format("{} frames, t from {} to {}\n\n", answer.frames.size(), from,
-                            brief(last->t));
+                            brief_parameter(last->t, reading));
   text += summary(answer) + "\n\n";
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 15);
@@ -198,7 +205,7 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
   const auto& worst = answer.frames[v.worst_sample];
   row("largest error",
       fmt::format("between {} and {} radians, at sample {}, t = {}", lower(v.max_error),
-                  upper(v.max_error), v.worst_sample, brief(worst.t)));
+                  upper(v.max_error), v.worst_sample, brief_parameter(worst.t, reading)));
   if (v.drift)
     row("drift", shown(*v.drift) + " radians per unit of arc length, from first to last");
   row("orthogonality", "cosines up to " + upper(v.orthogonality, 2));
