@@ -327,8 +327,8 @@ TEST_CASE("construct: --kind rmf closes splines, and says which segment has no s
   CHECK(run.out.starts_with("PH spline of 4 segments, closed\n"));
   const Run classified = here.run("classify spline.json --print json");
   check_success(classified);
-  for (const Json& segment : Json::parse(classified.out)["segments"])
-    CHECK(segment["erf_is_rmf"]["answer"] == true);
+  const Json classes = Json::parse(classified.out);
+  for (const Json& segment : classes["segments"]) CHECK(segment["erf_is_rmf"]["answer"] == true);
   check_failure(here.run("construct - --kind rmf", R"({"phrame": "points/1",
                     "points": [[0, 0, 0], [1, 0.1, 0.2]],
                     "derivatives": [[1e8, 0, 1], [0, 1e-8, 0]]})"),
