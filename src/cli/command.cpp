@@ -202,13 +202,6 @@ NamedPhPath CurveOptions::read_path() const {
 
 namespace {
 
-/// The greatest one; where angles are not told apart, one of these.
-const Corner& greatest_of(const std::vector<Corner>& corners) {
-  const auto size = [](const Corner& corner) { return approximate(corner.angle.enclose(64)); };
-  return *std::max_element(corners.begin(), corners.end(),
-                           [&](const Corner& a, const Corner& b) { return size(a) < size(b); });
-}
-
 std::string angle_text(const Corner& corner) {
   return fmt::format("{:.3g} radians at t = {}", approximate(corner.angle.enclose(64)),
                      corner.segment);
@@ -236,7 +229,7 @@ NamedPath CurveOptions::read_any_path() const {
   const std::string file = name_of_file(path);
   if (most) refuse_corners_beyond(*most, corners, file);
   constexpr double rounding = 1e-6;
-  const Corner& greatest = greatest_of(corners);
+  const Corner& greatest = phrame::greatest(corners);
   if (approximate(greatest.angle.enclose(64)) > rounding)
     note(fmt::format(
         "{}: {}{}: frames turn there at once, by the least rotation, and curvature is "

@@ -71,9 +71,7 @@ void take_sides(std::vector<Place>& at, std::vector<Rational>& numbers, const Pa
   std::vector<Place> places;
   std::vector<Rational> all;
   for (std::size_t k = 0; k < at.size(); ++k) {
-    const bool is_corner =
-        at[k].t.exact() == Rational(0) &&
-        std::binary_search(path.corners().begin(), path.corners().end(), at[k].segment);
+    const bool is_corner = at[k].t.exact() == Rational(0) && path.has_corner(at[k].segment);
     if (is_corner) places.emplace_back(at[k].segment - 1, Rational(1));
     if (!is_corner || side == Side::both) places.push_back(at[k]);
     all.resize(places.size(), numbers[k]);

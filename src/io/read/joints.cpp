@@ -54,7 +54,7 @@ class Gaps {
     if (std::holds_alternative<Curve>(segments_.back().form)) return;
     const auto end = place_at(segments_.back(), 1);
     const auto start = place_at(segments_.front(), 0);
-    if (!end || !start || !is_long_beside(*start - *end)) return;
+    if (!end || !start || !is_small_beside(*start - *end, places_)) return;
     if (const auto way = way_between(segments_.back(), segments_.front()))
       move(segments_.back(), *way, {0, 1});
   }
@@ -80,14 +80,6 @@ class Gaps {
       fail_at(segment, error.what());
     }
   }
-  /// Is the path much longer than that gap?
-  bool is_long_beside(const Vector<Rational>& way) const {
-    const Rational squared = dot(way, way) * 1024;
-    return std::any_of(places_.begin(), places_.end(), [&](const Vector<Rational>& place) {
-      const Vector<Rational> from_start = place - places_.front();
-      return dot(from_start, from_start) > squared;
-    });
-  }
 
   std::vector<GivenSegment>& segments_;
   std::vector<Vector<Rational>> places_{};
@@ -98,11 +90,6 @@ class Gaps {
 
 bool is_of_formulas(const Segment& segment) {
   return std::holds_alternative<ExpressionCurve>(segment);
-}
-
-Vector<Rational> near(const Vector<Real>& v) {
-  const auto number = [](const Real& x) { return x.enclose(256).midpoint(); };
-  return {number(v[0]), number(v[1]), number(v[2])};
 }
 
 std::string size_text(const Rational& square) {
@@ -119,7 +106,7 @@ std::string open_ends(const Path& path, const std::optional<Rational>& most) {
   const Vector<Rational> middle = near(position(path, {segments.size() / 2, Rational(1, 3)}));
   const Rational gap = most ? *most : rounding_gap({start, end, middle});
   const Vector<Rational> way = end - start;
-  if (!are_within(gap, start, end) || dot(middle - start, middle - start) <= 1024 * dot(way, way) ||
+  if (!are_within(gap, start, end) || !is_small_beside(way, {start, middle}) ||
       closure(path).ends_meet != false)
     return "";
   return fmt::format("its ends are up to {} apart, and formulas are not moved: it is open",

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/corner.hpp"
 
@@ -20,13 +18,11 @@ std::string closure_text(const Path& path) {
 
 /// ", with 6 corners of at most 1.57 radians"; empty where there is none.
 std::string corners_text(const Path& path) {
-  double greatest = 0;
   const auto corners = phrame::corners(path);
-  for (const Corner& corner : corners)
-    greatest = std::max(greatest, approximate(corner.angle.enclose(64)));
   if (corners.empty()) return "";
   return fmt::format(", with {} of {}{:.3g} radians", counted(corners.size(), "corner"),
-                     corners.size() > 1 ? "at most " : "", greatest);
+                     corners.size() > 1 ? "at most " : "",
+                     approximate(greatest(corners).angle.enclose(64)));
 }
 
 }  // namespace

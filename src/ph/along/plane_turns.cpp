@@ -23,9 +23,7 @@ constexpr std::size_t most_turn_roots = 256;
 
 /// H there, up to a positive factor; no value where that is not seen to be rational.
 std::optional<Vector<Rational>> rational_direction(const Path& path, const Place& at) {
-  const Vector<Real> H = direction(path, at);
-  if (!H[0].exact() || !H[1].exact() || !H[2].exact()) return std::nullopt;
-  return Vector<Rational>{*H[0].exact(), *H[1].exact(), *H[2].exact()};
+  return exactly(direction(path, at));
 }
 
 }  // namespace
@@ -56,8 +54,7 @@ struct PlaneTurns::State {
 
 PlaneTurns::State::State(Path along, const Vector<Rational>& up) : path(std::move(along)), v(up) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    if (std::binary_search(path.corners().begin(), path.corners().end(), k) && !add_corner(k))
-      return;
+    if (path.has_corner(k) && !add_corner(k)) return;
     const auto span = direction_span(path.segments()[k]);
     if (!are_on_a_line(span)) {
       const auto normal = common_normal(span);

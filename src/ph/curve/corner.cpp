@@ -9,18 +9,13 @@
 
 #include "phrame/ph/curve/corner.hpp"
 
-#include "phrame/algebra/error.hpp"
+#include <algorithm>
+
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
-
-/// Those of an exact vector.
-std::optional<Vector<Rational>> exactly(const Vector<Real>& v) {
-  if (!v[0].exact() || !v[1].exact() || !v[2].exact()) return std::nullopt;
-  return Vector<Rational>{*v[0].exact(), *v[1].exact(), *v[2].exact()};
-}
 
 Real angle_between(const Vector<Real>& a, const Vector<Real>& b) {
   const Vector<Real> axis = cross(a, b);
@@ -44,6 +39,12 @@ std::vector<Corner> corners(const Path& path) {
   for (const std::size_t k : path.corners()) found.push_back(corner_between(path, k - 1, k));
   if (closure(path).at_corner) found.push_back(corner_between(path, path.segments().size() - 1, 0));
   return found;
+}
+
+const Corner& greatest(const std::vector<Corner>& corners) {
+  const auto size = [](const Corner& corner) { return approximate(corner.angle.enclose(64)); };
+  return *std::max_element(corners.begin(), corners.end(),
+                           [&](const Corner& a, const Corner& b) { return size(a) < size(b); });
 }
 
 Real carried_angle(const Vector<Real>& a, const Vector<Real>& S, const Vector<Real>& b,

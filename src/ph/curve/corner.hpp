@@ -13,6 +13,8 @@ struct Corner {
 };
 /// All of them, by segment; that of the ends, where they are told to be closed, is the last.
 std::vector<Corner> corners(const Path& path);
+/// The greatest of them, of which there is one at least; where 64 bits do not tell, one of those.
+const Corner& greatest(const std::vector<Corner>& corners);
 
 /// How a frame with e₁ along a and e₂ along S, carried from a to the vector b by the least rotation
 /// that takes one direction to the other, is turned about b against one with e₂ along T: the angle

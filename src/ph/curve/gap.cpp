@@ -19,16 +19,19 @@ bool are_within(const Rational& gap, const Vector<Rational>& a, const Vector<Rat
   return dot(way, way) <= gap * gap;
 }
 
+bool is_small_beside(const Vector<Rational>& way, const std::vector<Vector<Rational>>& places) {
+  const Rational squared = 32 * 32 * dot(way, way);
+  return std::any_of(places.begin(), places.end(), [&](const Vector<Rational>& place) {
+    const Vector<Rational> from_first = place - places.front();
+    return dot(from_first, from_first) > squared;
+  });
+}
+
 bool close_to_rounding(std::vector<Vector<Rational>>& points) {
   if (points.size() < 3 || points.front() == points.back() ||
-      !are_within(rounding_gap(points), points.front(), points.back()))
+      !are_within(rounding_gap(points), points.front(), points.back()) ||
+      !is_small_beside(points.back() - points.front(), points))
     return false;
-  const Vector<Rational> way = points.back() - points.front();
-  const bool is_long = std::any_of(points.begin(), points.end(), [&](const auto& point) {
-    const Vector<Rational> from_start = point - points.front();
-    return dot(from_start, from_start) > 1024 * dot(way, way);
-  });
-  if (!is_long) return false;
   points.back() = points.front();
   return true;
 }

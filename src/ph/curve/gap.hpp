@@ -12,8 +12,11 @@ Rational rounding_gap(const std::vector<Vector<Rational>>& places);
 /// Is b at most so far from a?
 bool are_within(const Rational& gap, const Vector<Rational>& a, const Vector<Rational>& b);
 
-/// Where the last of the points, of a closed curve, is the first one but for rounding, and they are
-/// some 32 times as far apart, it becomes that. Was it another before?
+/// Is it small beside the way from the first of these places to some other, by a factor of 32?
+bool is_small_beside(const Vector<Rational>& way, const std::vector<Vector<Rational>>& places);
+
+/// Where the last of the points, of a closed curve, is the first one but for rounding, and
+/// that is_small_beside() them, it becomes that. Was it another before?
 bool close_to_rounding(std::vector<Vector<Rational>>& points);
 
 }  // namespace phrame

@@ -139,6 +139,10 @@ void Path::append(Segment next) {
   add(std::move(next));
 }
 
+bool Path::has_corner(std::size_t k) const {
+  return std::binary_search(corners_.begin(), corners_.end(), k);
+}
+
 bool Path::is_ph() const { return std::all_of(segments().begin(), segments().end(), ph_curve); }
 
 std::optional<PhPath> Path::ph() const {

@@ -40,7 +40,8 @@ class Path {
   const std::vector<Segment>& segments() const { return *segments_; }  ///< at least one
   /// The segments, ascending, at whose start the tangent breaks.
   const std::vector<std::size_t>& corners() const { return corners_; }
-  bool is_ph() const;  ///< are all of its segments PH curves?
+  bool has_corner(std::size_t k) const;  ///< does the tangent break at the start of segment k?
+  bool is_ph() const;                    ///< are all of its segments PH curves?
   /// The path of PH curves, where all of its segments are.
   std::optional<PhPath> ph() const;
   /// Of the parameter.

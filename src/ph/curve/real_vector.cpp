@@ -6,6 +6,19 @@ namespace phrame {
 
 Vector<Real> as_reals(const Vector<Rational>& v) { return {v[0], v[1], v[2]}; }
 
+std::optional<Vector<Rational>> exactly(const Vector<Real>& v) {
+  if (!v[0].exact() || !v[1].exact() || !v[2].exact()) return std::nullopt;
+  return Vector<Rational>{*v[0].exact(), *v[1].exact(), *v[2].exact()};
+}
+
+Vector<Rational> near(const Vector<Real>& v) {
+  constexpr long bits = 256;
+  const auto number = [](const Real& x) {
+    return x.exact() ? *x.exact() : x.enclose(bits).midpoint();
+  };
+  return {number(v[0]), number(v[1]), number(v[2])};
+}
+
 Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v) {
   const auto minor = [](const Real& a, const Real& d, const Real& b, const Real& c) {
     return a * d + -(b * c);

@@ -11,6 +11,11 @@ namespace phrame {
 /// The same numbers.
 Vector<Real> as_reals(const Vector<Rational>& v);
 
+/// The same numbers, where all are known exactly.
+std::optional<Vector<Rational>> exactly(const Vector<Real>& v);
+/// The same numbers, and of those that are not exact rational ones within about 2^−256 of them.
+Vector<Rational> near(const Vector<Real>& v);
+
 /// u × v, exact where both are.
 Vector<Real> cross(const Vector<Real>& u, const Vector<Real>& v);
 

@@ -141,8 +141,7 @@ Path segment(const Path& path, const Rational& a, const Rational& b) {
     const Rational first = std::max(Rational(from - before), Rational(0));
     const Rational last = std::min(Rational(to - before), Rational(1));
     if (first >= last) continue;
-    if (!parts.empty() && std::binary_search(path.corners().begin(), path.corners().end(), k))
-      corners.push_back(parts.size());
+    if (!parts.empty() && path.has_corner(k)) corners.push_back(parts.size());
     parts.push_back(std::visit(
         [&](const auto& curve) {
           return a < b ? part(curve, first, last) : part(curve, last, first);

@@ -39,9 +39,7 @@ Real fit(const GivenFrame& frame, const Vector<Real>& T) {
 /// Where the frame is: at a corner on the side whose tangent it fits better, else on the later one.
 PathParameter place_of(const Path& path, const GivenFrame& frame) {
   const PathParameter after = locate(path, frame.t);
-  if (after.t != 0 ||
-      !std::binary_search(path.corners().begin(), path.corners().end(), after.segment))
-    return after;
+  if (after.t != 0 || !path.has_corner(after.segment)) return after;
   const PathParameter before{after.segment - 1, 1};
   const Real gain = fit(frame, direction(path, before)) + -fit(frame, direction(path, after));
   return sign_of(gain) > 0 ? before : after;
@@ -81,14 +79,6 @@ std::optional<RealBall> length_between(const PathLength& length, const Path& pat
                                 length.value(locate(path, a)).enclose(bits), bits);
   if (way.contains_zero()) return std::nullopt;
   return way;
-}
-
-Vector<Rational> near(const Vector<Real>& v) {
-  constexpr long bits = 256;
-  const auto number = [](const Real& x) {
-    return x.exact() ? *x.exact() : x.enclose(bits).midpoint();
-  };
-  return {number(v[0]), number(v[1]), number(v[2])};
 }
 
 }  // namespace

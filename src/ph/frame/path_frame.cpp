@@ -44,10 +44,7 @@ Vector<Real> least_rotation_normal_along(const Vector<Real>& H) {
 
 /// The same numbers, which are exact.
 Frame<Rational> exactly(const Frame<Real>& frame) {
-  const auto vector = [](const Vector<Real>& v) {
-    return Vector<Rational>{v[0].exact().value(), v[1].exact().value(), v[2].exact().value()};
-  };
-  return {vector(frame.e1), vector(frame.e2), vector(frame.e3)};
+  return {exactly(frame.e1).value(), exactly(frame.e2).value(), exactly(frame.e3).value()};
 }
 
 /// v/σ there.
