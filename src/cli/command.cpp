@@ -78,10 +78,7 @@ std::optional<NearSuggestion> suggestion_of(const Path& path) {
   const RationalCurve* curve = rational_curve(path.segments().front());
   if (path.segments().size() > 1 || curve == nullptr || !curve->weight().is_constant())
     return std::nullopt;
-  const Rational w = curve->weight().coefficient(0);
-  Vector<Polynomial> hodograph = curve->direction();
-  for (Polynomial& h : hodograph) h = h * curve->multiplier() * Polynomial{1 / (w * w)};
-  return near_suggestion(hodograph, point(*curve, 0));
+  return near_suggestion(hodograph(*curve), point(*curve, 0));
 }
 
 bool is_polynomial(const Segment& segment) {

@@ -52,9 +52,7 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
   if (std::holds_alternative<ExpressionCurve>(segment.form)) return "it is given by formulas";
   const auto& curve = std::get<RationalCurve>(segment.form);
   if (!curve.weight().is_constant()) return "its weight function is no constant";
-  Vector<Polynomial> hodograph = curve.direction();
-  for (Polynomial& h : hodograph) h *= curve.multiplier();
-  auto found = identify(hodograph, point(curve, 0));
+  auto found = identify(hodograph(curve), point(curve, 0));
   if (const auto* reason = std::get_if<NotPythagorean>(&found)) return to_string(*reason);
   return std::get<Curve>(std::move(found));
 }

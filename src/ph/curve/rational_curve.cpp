@@ -71,6 +71,10 @@ long degree(const RationalCurve& curve) {
   return degree;
 }
 
+Vector<Polynomial> hodograph(const RationalCurve& curve) {
+  return curve.multiplier() * curve.direction();
+}
+
 Vector<Polynomial> binormal(const RationalCurve& curve) {
   return cross(curve.direction(), differentiate(curve.direction()));
 }

@@ -39,6 +39,9 @@ Vector<Polynomial> binormal(const RationalCurve& curve);
 /// r(t). Throws DomainError where W(t) = 0, so outside [0, 1].
 Vector<Rational> point(const RationalCurve& curve, const Rational& t);
 
+/// r′ of a polynomial one, W = 1: p·H.
+Vector<Polynomial> hodograph(const RationalCurve& curve);
+
 /// The Bézier curve Σ wₖ Pₖ Bₖ/Σ wₖ Bₖ, with weights 1 where none are given. Throws DomainError for
 /// no points, another number of weights, and as RationalCurve.
 RationalCurve bezier_curve(const std::vector<Vector<Rational>>& points,

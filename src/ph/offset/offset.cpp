@@ -94,9 +94,7 @@ int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.mul
 /// A straight line of constant weight as the PH curve that it is.
 Segment segment_of(const RationalCurve& curve) {
   if (!curve.weight().is_constant()) return curve;
-  Vector<Polynomial> hodograph = curve.direction();
-  for (Polynomial& x : hodograph) x *= curve.multiplier();
-  auto found = identify(hodograph, point(curve, 0));
+  auto found = identify(hodograph(curve), point(curve, 0));
   if (auto* ph = std::get_if<Curve>(&found)) return PhSegment(std::move(*ph));
   return curve;
 }
