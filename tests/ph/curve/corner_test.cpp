@@ -95,4 +95,5 @@ TEST_CASE("corner: those of a path are the breaks of its tangent, and that of it
   CHECK(triangle.back().segment == 0);
   CHECK(over_pi(triangle.back().angle) == Rational(1, 2));
   CHECK(over_pi(triangle.front().angle) == Rational(3, 4));
+  CHECK(greatest(triangle).segment == 1);
 }
