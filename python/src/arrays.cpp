@@ -116,10 +116,10 @@ Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& a
                                       self.named.path, Reference::euler_rodrigues);
   if (asked.is_by_length) return by_arc_length(self, from, at, asked, write);
   if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
-  const FrameAngle at_zero =
-      asked.kind == TabulatedFrame::rmf ? start_angle(from, path) : FrameAngle();
-  const auto source = self.sources->closed.of({asked.kind, at_zero}, [&] {
-    return std::make_shared<FrameSource>(path, asked.kind, at_zero);
+  const bool has_start = asked.kind == TabulatedFrame::rmf;
+  const auto source = self.sources->closed.of({asked.kind, has_start ? from : FrameStart()}, [&] {
+    return std::make_shared<FrameSource>(path, asked.kind,
+                                         has_start ? start_angle(from, path) : FrameAngle());
   });
   return by_source(source, at, asked, at->are_doubles() ? many : 16, write);
 }

@@ -33,7 +33,9 @@ FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
 }
 
 FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
-    : path_(std::move(path)), kind_(kind), start_(start) {}
+    : path_(std::move(path)), kind_(kind), start_(start), from_(start) {
+  from_.value = remembered(from_.value);
+}
 
 void FrameSource::make() {
   if (kind_ == TabulatedFrame::rmf) angle_.emplace(path_);
@@ -87,7 +89,7 @@ void FrameSource::compile(std::size_t k, double from, double to) {
 void FrameSource::prepare_curve(const std::vector<double>& ts) {
   Segment& only = segments_.front();
   only.asked += ts.size();
-  if (only.asked < least_compiled) return;
+  if (only.asked < least_of_frames) return;
   const auto [from, to] = std::minmax_element(ts.begin(), ts.end());
   const CompiledFrames* known = only.compiled;
   if (known != nullptr && known->from() <= *from && *to <= known->to()) return;
@@ -108,7 +110,7 @@ void FrameSource::prepare(const Parameters& at) {
   for (const double t : at.doubles) {
     const std::size_t k = place_at(t, segments_.size()).first;
     Segment& segment = segments_[k];
-    if (++segment.asked < least_of_segment || segment.compiled || segment.is_undecided) continue;
+    if (++segment.asked < least_of_frames || segment.compiled || segment.is_undecided) continue;
     compile(k, static_cast<double>(k), static_cast<double>(k + 1));
   }
 }
@@ -119,11 +121,15 @@ const CompiledFrames* FrameSource::compiled_at(double t, const Segment& segment)
 }
 
 bool FrameSource::is_prepared(const Parameters& at) const {
-  const auto is_compiled = [this](double t) {
-    return compiled_at(t, segments_[place_at(t, segments_.size()).first]) != nullptr;
+  if (!is_made_ || !at.are_doubles()) return false;
+  constexpr std::size_t few = 4;
+  const bool are_few = at.size() <= few && kind_ != TabulatedFrame::frenet;
+  const auto is_ready = [&](double t) {
+    const Segment& segment = segments_[place_at(t, segments_.size()).first];
+    if (!kind_ || compiled_at(t, segment) != nullptr) return true;
+    return are_few && (segment.is_undecided || ++segment.asked < least_of_frames);
   };
-  return is_made_ && at.are_doubles() &&
-         (!kind_ || std::all_of(at.doubles.begin(), at.doubles.end(), is_compiled));
+  return std::all_of(at.doubles.begin(), at.doubles.end(), is_ready);
 }
 
 // Frenet's n is on the side of the real factor of g; where that is 0, at inflections, the frame
@@ -145,6 +151,8 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
   if (at.are_doubles())
     if (const auto found = approximated_frame(at.doubles[k])) return *found;
   const PathParameter here = locate(path_, at[k]);
+  if (kind_ != TabulatedFrame::frenet)
+    if (const auto found = rounded_frame(ball_at(here))) return *found;
   const Frames& frames = segments_[here.segment].frames;
   const Frame<Real> exact = [&] {
     if (kind_ == TabulatedFrame::frenet) return frames.frenet(here.t);
@@ -155,6 +163,13 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
         [&](const FrameAngle& start) { return angle_->value(here, start); }, start_);
   }();
   return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
+}
+
+Quaternion<RealBall> FrameSource::ball_at(const PathParameter& at) const {
+  const RealBall theta =
+      kind_ == TabulatedFrame::rmf ? angle_->enclose(Place{at}, from_, rotation_bits) : RealBall();
+  const Segment& segment = segments_[at.segment];
+  return rotation_ball(segment.preimage, at.t, theta, segment.sign);
 }
 
 std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
@@ -206,12 +221,15 @@ std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(doubl
 std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t k) const {
   const PathParameter here = locate(path_, at[k]);
   std::array<std::optional<double>, 4> near;
-  if (at.are_doubles())
-    if (const auto found = approximated_rotation(at.doubles[k])) {
-      const auto& [u, v, p, q] = found->b;
-      for (std::size_t i = 0; i < 4; ++i)
-        near[i] = common_double(std::array{u, v, p, q}[i], found->error + 0x1p-94);
-    }
+  const auto found = at.are_doubles() ? approximated_rotation(at.doubles[k]) : std::nullopt;
+  if (found) {
+    const auto& [u, v, p, q] = found->b;
+    for (std::size_t i = 0; i < 4; ++i)
+      near[i] = common_double(std::array{u, v, p, q}[i], found->error + 0x1p-94);
+  } else if (kind_ != TabulatedFrame::frenet) {
+    const auto& [u, v, p, q] = ball_at(here);
+    for (std::size_t i = 0; i < 4; ++i) near[i] = common_double(std::array{u, v, p, q}[i]);
+  }
   const std::array<bool, 4>& zeros = segments_[here.segment].zeros;
   for (std::size_t i = 0; i < 4; ++i)
     if (zeros[i]) near[i] = 0;

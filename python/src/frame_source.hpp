@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "phrame/ph/frame/rotation_ball.hpp"
+
 #include "parameters.hpp"
 
 namespace phrame::python {
@@ -29,7 +31,8 @@ class FrameSource {
 
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
-  /// Has prepare() nothing left to do, and is hardly a frame computed exactly?
+  /// Has prepare() nothing left to do, and is hardly a frame computed exactly? A few frames of a
+  /// spline are as soon done by balls as another thread is woken; they are counted for prepare().
   bool is_prepared(const Parameters& at) const;
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
@@ -50,10 +53,13 @@ class FrameSource {
   /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of a Frenet
   /// frame up to its sign.
   std::array<Real, 4> rotation(const PathParameter& at) const;
+  /// The same by balls, but of no Frenet frame.
+  Quaternion<RealBall> ball_at(const PathParameter& at) const;
 
   PhPath path_;
   FrameKind kind_;
   FrameAngle start_;
+  StartAngle from_;  ///< the same
   std::optional<PathAngle> angle_;
   std::mutex lock_;  ///< while something is made or compiled
   std::atomic<bool> is_made_{false};
@@ -80,18 +86,18 @@ class LastSources {
   std::mutex lock_;
   std::deque<std::pair<Key, std::shared_ptr<Source>>> kept_;
 };
-using FrameSources = LastSources<FrameSource, std::pair<FrameKind, FrameAngle>>;
+using FrameSources = LastSources<FrameSource, std::pair<FrameKind, FrameStart>>;
 
 struct FrameSource::Segment {
   Vector<Polynomial> position;
   RoundedPoint rounded;
   Frames frames;
-  QuaternionPolynomial preimage;  ///< without real factors
-  int sign = 1;                   ///< of the preimage, for a continuous B
-  RoundedPolynomial normal;       ///< the real factor of g, of whose sign Frenet's n is
-  std::array<bool, 4> zeros{};    ///< components u, v, p, q of B that are 0 everywhere
-  std::size_t asked = 0;          ///< how often, up to now
-  bool is_undecided = false;      ///< it cannot be compiled: poles of θ′ are too near
+  QuaternionPolynomial preimage;              ///< without real factors
+  int sign = 1;                               ///< of the preimage, for a continuous B
+  RoundedPolynomial normal;                   ///< the real factor of g, of whose sign Frenet's n is
+  std::array<bool, 4> zeros{};                ///< components u, v, p, q of B that are 0 everywhere
+  mutable std::atomic<std::size_t> asked{0};  ///< how often, up to now
+  std::atomic<bool> is_undecided{false};  ///< it cannot be compiled: poles of θ′ are too near
   std::atomic<const CompiledFrames*> compiled{nullptr};
 
   explicit Segment(const Curve& curve, FrameKind kind);

@@ -49,10 +49,12 @@ inline Vector<double> finite(Vector<double> r) {
   return r;
 }
 
-/// Below so many, to approximate first takes longer.
+/// @{ Below so many, to approximate first takes longer: of angles, of those of each segment of a
+/// spline, whose coefficients are longer, and of frames of PH curves, of which one takes 10 to 100
+/// µs by balls and the polynomials some 300 times as long.
 constexpr std::size_t least_compiled = 16;
-/// The same of each segment of a spline, whose coefficients are longer: 5 to 10 ms, where a frame
-/// takes 0.1 ms.
 constexpr std::size_t least_of_segment = 64;
+constexpr std::size_t least_of_frames = 256;
+/// @}
 
 }  // namespace phrame::python
