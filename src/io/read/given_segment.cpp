@@ -91,8 +91,6 @@ std::vector<Real> parameters_of(const std::vector<GivenSegment>& segments) {
 
 }  // namespace
 
-namespace {
-
 Path joined_segments(std::vector<GivenSegment> segments) {
   Path path(taken_curve(segments.front()), segments.size());
   for (std::size_t k = 1; k < segments.size(); ++k) try {
@@ -105,27 +103,12 @@ Path joined_segments(std::vector<GivenSegment> segments) {
   return path;
 }
 
-/// The same with gaps closed; what was closed is said.
-std::pair<Path, std::string> closed_path(std::vector<GivenSegment> segments,
-                                         const std::optional<Rational>& gap, GapsAt where) {
-  std::string closed = close_gaps(segments, gap, where);
-  return {joined_segments(std::move(segments)), std::move(closed)};
-}
-
-}  // namespace
-
 NamedPath path_of(std::string name, std::vector<GivenSegment> segments,
                   const std::optional<Rational>& gap) {
   std::vector<Real> parameters = parameters_of(segments);
-  auto [path, closed] = [&] {
-    try {
-      return closed_path(segments, gap, GapsAt::joints_and_ends);
-    } catch (const InputError&) {  // perhaps since its end was moved
-      return closed_path(segments, gap, GapsAt::joints);
-    }
-  }();
-  NamedPath named(std::move(name), std::move(path));
-  if (!closed.empty()) named.notes.push_back(closed);
+  std::string closed = close_gaps(segments, gap);
+  NamedPath named(std::move(name), joined_segments(std::move(segments)));
+  if (!closed.empty()) named.notes.push_back(std::move(closed));
   if (std::string open = open_ends(named.path, gap); !open.empty())
     named.notes.push_back(std::move(open));
   named.parameters = std::move(parameters);

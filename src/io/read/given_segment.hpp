@@ -39,6 +39,10 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment);
 /// r(1). Throws InputError where that of formulas is not seen to be of fractions.
 Vector<Rational> end_point(const GivenSegment& segment);
 
+/// The path of segments, at least one, each PH where it is known or found to be. Throws InputError
+/// at the one that does not go on where the one before ends, or turns back there.
+Path joined_segments(std::vector<GivenSegment> segments);
+
 /// Of segments, at least one, the path: that of PH curves where all of them are; of others those
 /// that are PH are known to be. They are identified where they are polynomial. Gaps are closed as
 /// close_gaps() does, which a note says; NamedPath::parameters are those of the segments where they

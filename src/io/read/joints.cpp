@@ -29,21 +29,29 @@ RationalCurve moved(const RationalCurve& curve, const Vector<Rational>& way,
   return RationalCurve(numerator, curve.weight());
 }
 
+/// Its ends and its middle; none of formulas.
+std::vector<Vector<Rational>> places_on(const GivenSegment& segment) {
+  std::vector<Vector<Rational>> places;
+  for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)})
+    if (const auto place = place_at(segment, t)) places.push_back(*place);
+  return places;
+}
+
 /// The gaps of a list of segments, while they are closed.
 class Gaps {
  public:
   Gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most)
       : segments_(segments) {
-    for (const GivenSegment& segment : segments)
-      for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)})
-        if (const auto place = place_at(segment, t)) places_.push_back(*place);
-    most_ = most ? *most : rounding_gap(places_);
+    if (most) most_ = *most;
+    for (std::size_t k = 0; !most && k < segments.size(); ++k)
+      most_ = std::max(most_, rounding_gap(places_on(segments[k])));
   }
 
   void close_joints() {
     for (std::size_t k = 1; k < segments_.size(); ++k) {
-      const auto way = way_between(segments_[k - 1], segments_[k]);
+      const auto way = gap_between(segments_[k - 1], segments_[k]);
       if (!way) continue;
+      count(*way);
       if (auto* ph = std::get_if<Curve>(&segments_[k].form))
         *ph = Curve(ph->preimage(), ph->multiplier(), ph->start() - *way);
       else
@@ -54,24 +62,39 @@ class Gaps {
     if (std::holds_alternative<Curve>(segments_.back().form)) return;
     const auto end = place_at(segments_.back(), 1);
     const auto start = place_at(segments_.front(), 0);
-    if (!end || !start || !is_small_beside(*start - *end, places_)) return;
-    if (const auto way = way_between(segments_.back(), segments_.front()))
-      move(segments_.back(), *way, {0, 1});
+    if (!end || !start) return;
+    const auto is_far = [&](const GivenSegment& segment) {
+      auto places = places_on(segment);
+      places.insert(places.begin(), *start);
+      return is_small_beside(*start - *end, places);
+    };
+    if (!std::any_of(segments_.begin(), segments_.end(), is_far)) return;
+    const auto way = gap_between(segments_.back(), segments_.front());
+    if (!way) return;
+    try {
+      GivenSegment last = segments_.back();
+      move(last, *way, {0, 1});
+      if (segments_.size() > 1) joined_segments({segments_[segments_.size() - 2], last});
+      segments_.back() = std::move(last);
+      count(*way);
+    } catch (const InputError&) {  // moved, it is a point or turns back: the path is open
+    }
   }
   std::size_t count() const { return count_; }
   const Rational& greatest() const { return greatest_; }  ///< squared
 
  private:
   /// From the end of one to the start of the other, where that is to be closed.
-  std::optional<Vector<Rational>> way_between(const GivenSegment& before,
-                                              const GivenSegment& after) {
+  std::optional<Vector<Rational>> gap_between(const GivenSegment& before,
+                                              const GivenSegment& after) const {
     const auto end = place_at(before, 1);
     const auto start = place_at(after, 0);
     if (!end || !start || *end == *start || !are_within(most_, *end, *start)) return std::nullopt;
-    const Vector<Rational> way = *start - *end;
+    return *start - *end;
+  }
+  void count(const Vector<Rational>& way) {
     ++count_;
     greatest_ = std::max(greatest_, dot(way, way));
-    return way;
   }
   void move(GivenSegment& segment, const Vector<Rational>& way, const Polynomial& share) {
     try {
@@ -82,7 +105,6 @@ class Gaps {
   }
 
   std::vector<GivenSegment>& segments_;
-  std::vector<Vector<Rational>> places_{};
   Rational most_{};
   std::size_t count_ = 0;
   Rational greatest_{};
@@ -113,11 +135,10 @@ std::string open_ends(const Path& path, const std::optional<Rational>& most) {
                      size_text(dot(way, way)));
 }
 
-std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most,
-                       GapsAt where) {
+std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most) {
   Gaps gaps(segments, most);
   gaps.close_joints();
-  if (where == GapsAt::joints_and_ends) gaps.close_ends();
+  gaps.close_ends();
   if (gaps.count() == 0) return "";
   return fmt::format("{} of at most {} closed, by moving a point",
                      gaps.count() == 1 ? "a gap" : fmt::format("{} gaps", gaps.count()),
