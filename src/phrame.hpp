@@ -70,6 +70,7 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/frame/rotation_ball.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/proof/certify.hpp"

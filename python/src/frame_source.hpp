@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "phrame/ph/frame/rotation_ball.hpp"
 
 #include "parameters.hpp"
 
