@@ -4,14 +4,15 @@
 
 namespace phrame::cli {
 
-const std::vector<AddCommand>& all_commands() {
-  static const auto list = [] {
-    std::vector<AddCommand> all = answering_commands();
-    all.insert(std::ranges::find(all, &add_compile), &add_batch);
-    all.insert(all.end(), {add_help, add_completion, add_man});
+const CommandTable& all_commands() {
+  static const auto table = [] {
+    CommandTable all = answering_commands();
+    const auto is_compile = [](const auto& entry) { return entry.first == "compile"; };
+    all.insert(std::ranges::find_if(all, is_compile), {"batch", add_batch});
+    all.insert(all.end(), {{"help", add_help}, {"completion", add_completion}, {"man", add_man}});
     return all;
   }();
-  return list;
+  return table;
 }
 
 }  // namespace phrame::cli

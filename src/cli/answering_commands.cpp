@@ -2,12 +2,28 @@
 
 namespace phrame::cli {
 
-const std::vector<AddCommand>& answering_commands() {
-  static const std::vector<AddCommand> list{
-      add_angle,       add_info,      add_classify, add_totals,    add_frames, add_mtf,
-      add_interpolate, add_construct, add_identify, add_integrate, add_sweep,  add_offset,
-      add_compile,     add_check,     add_certify,  add_verify,    add_prove,  add_page};
-  return list;
+const CommandTable& answering_commands() {
+  static const CommandTable table{
+      {"angle", add_angle},
+      {"info", add_info},
+      {"classify", add_classify},
+      {"totals", add_totals},
+      {"frames", add_frames},
+      {"mtf", add_mtf},
+      {"interpolate", add_interpolate},
+      {"construct", add_construct},
+      {"identify", add_identify},
+      {"integrate", add_integrate},
+      {"sweep", add_sweep},
+      {"offset", add_offset},
+      {"compile", add_compile},
+      {"check", add_check},
+      {"certify", add_certify},
+      {"verify", add_verify},
+      {"prove", add_prove},
+      {"page", add_page},
+  };
+  return table;
 }
 
 }  // namespace phrame::cli

@@ -8,7 +8,7 @@
 
 namespace phrame::cli {
 
-std::string question_table(const Questions& table) {
+std::string question_table(const CommandTable& table) {
   Program program("phrame", "", "");
   for (const auto& [name, add] : table) {
     add(program);
@@ -18,7 +18,7 @@ std::string question_table(const Questions& table) {
 }
 
 std::string ask(const std::string& line, const std::optional<NamedPath>& path,
-                const Questions& table) {
+                const CommandTable& table) {
   const JsonValue document = parse_json(line);
   try {
     return answer_question(JsonNode(document), {default_question, {}, path}, table);

@@ -188,7 +188,7 @@ class Failures {
 BatchDefaults defaults_of(const Command& command, const BatchOptions& options) {
   BatchDefaults defaults = options.defaults;
   defaults.seconds = command.time_limit();
-  choose("--question", options.question, questions());
+  choose("--question", options.question, answering_commands());
   defaults.question = options.question;
   defaults.otherwise = [of_all = QuestionDefaults{options.question, command.given()}](
                            const JsonNode& line) { return answer_question(line, of_all); };

@@ -240,9 +240,11 @@ void add_completion(Program& program);  ///< hidden
 void add_man(Program& program);         ///< hidden
 
 using AddCommand = void (*)(Program&);
+/// Commands by their names.
+using CommandTable = std::vector<std::pair<std::string, AddCommand>>;
 /// @{ Those that answer a question about an argument, and all, in the order of the help.
-const std::vector<AddCommand>& answering_commands();
-const std::vector<AddCommand>& all_commands();
+const CommandTable& answering_commands();
+const CommandTable& all_commands();
 /// @}
 
 }  // namespace phrame::cli

@@ -72,59 +72,98 @@ constexpr const char* notes =
     "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
     "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50";
 
-/// All commands, and --version of each.
-void furnish(phrame::cli::Program& program) {
-  for (const auto add : phrame::cli::all_commands()) add(program);
-  for (const phrame::cli::Command* listed : program.commands())
-    if (listed->name() != "help") program.find(listed->name())->add_time_limit();
-  const std::string version = fmt::format("phrame {}", phrame::version);
-  CLI::App& app = program.app();
-  app.set_version_flag("--version", version, "show the version");
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
-    command->set_version_flag("--version", version, "show the version");
-  app.require_subcommand(0, 1);
-}
+/// Its commands, with --version and --time-limit of each: of the whole program, or the one asked
+/// for.
+class CommandLine {
+ public:
+  explicit CommandLine(const phrame::cli::CommandTable& commands) {
+    const std::string version = fmt::format("phrame {}", phrame::version);
+    for (const auto& [name, add] : commands) {
+      add(program_);
+      phrame::cli::Command& command = *program_.find(name);
+      if (!command.is_hidden() && name != "help") command.add_time_limit();
+    }
+    CLI::App& app = program_.app();
+    app.set_version_flag("--version", version, "show the version");
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+      command->set_version_flag("--version", version, "show the version");
+    app.require_subcommand(0, 1);
+  }
 
-int run(int argc, char** argv) {
-  phrame::cli::Program program(
+  const phrame::cli::Program& program() const { return program_; }
+  CLI::App& app() const { return program_.app(); }
+  /// The command that was read; null where there is none.
+  phrame::cli::Command* chosen() const {
+    const auto names = app().get_subcommands();
+    return names.empty() ? nullptr : program_.find(names.front()->get_name());
+  }
+
+ private:
+  phrame::cli::Program program_{
       "phrame",
       "Exact rotation-minimizing frames of Pythagorean-hodograph curves, and exact integrals of "
       "rational functions.",
-      notes);
-  furnish(program);
-  CLI::App& app = program.app();
+      notes};
+};
 
-  const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
+int run_chosen(const CommandLine& line) {
+  phrame::cli::Command& command = *line.chosen();
+  if (const std::string wrong = phrame::cli::about_swallowed_option(command); !wrong.empty())
+    throw phrame::InputError(wrong);
+  command.run();
+  return done;
+}
+
+/// Help, and what asks for no command or is wrong, with all commands to say so.
+int run_any(const std::vector<std::string>& words) {
+  const CommandLine line(phrame::cli::all_commands());
+  const phrame::cli::Program& program = line.program();
   if (const std::string wrong = phrame::cli::complaint_about_command(program, words);
       !wrong.empty())
     throw phrame::InputError(wrong);
   try {
-    app.parse(arguments(words));
+    line.app().parse(arguments(words));
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
+    const phrame::cli::Command* chosen = line.chosen();
     const phrame::cli::HelpStyle style{phrame::cli::line_width(),
                                        phrame::cli::has_colour(STDOUT_FILENO)};
     // A full or closed standard output is an error.
     phrame::cli::write_output(
-        "-", chosen.empty() ? help_text(program, style)
-                            : help_text(*program.find(chosen.front()->get_name()), style));
+        "-", chosen == nullptr ? help_text(program, style) : help_text(*chosen, style));
     return done;
   } catch (const CLI::Success& success) {  // --version
     std::ostringstream text;
-    app.exit(success, text, text);
+    line.app().exit(success, text, text);
     phrame::cli::write_output("-", text.str());
     return done;
   } catch (const CLI::ParseError& error) {
     return complain(phrame::cli::complaint(program, error), bad_input);
   }
-  const auto chosen = app.get_subcommands();
-  if (chosen.empty())  // "--"
+  if (line.chosen() == nullptr)  // "--"
     throw phrame::InputError(phrame::cli::complaint_about_command(program, {}));
-  phrame::cli::Command& command = *program.find(chosen.front()->get_name());
-  if (const std::string wrong = phrame::cli::about_swallowed_option(command); !wrong.empty())
-    throw phrame::InputError(wrong);
-  command.run();
-  return done;
+  return run_chosen(line);
+}
+
+/// Is it about the program itself, and not about curves?
+bool is_about_program(const std::string& command) {
+  return command == "help" || command == "completion" || command == "man";
+}
+
+int run(int argc, char** argv) {
+  const std::vector<std::string> words = without_help_command({argv + 1, argv + argc});
+  const auto& commands = phrame::cli::all_commands();
+  const auto asked = std::find_if(commands.begin(), commands.end(), [&](const auto& entry) {
+    return !words.empty() && entry.first == words.front() && !is_about_program(entry.first);
+  });
+  if (asked == commands.end()) return run_any(words);
+  // To make the options of all commands takes longer than many an answer.
+  const CommandLine line({*asked});
+  try {
+    line.app().parse(arguments(words));
+  } catch (const CLI::Error&) {
+    return run_any(words);
+  }
+  return run_chosen(line);
 }
 
 /// The exit status; what is wrong is told.

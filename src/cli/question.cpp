@@ -226,21 +226,8 @@ std::string written_answer(Command& command, const Exchange& exchange) {
 
 }  // namespace
 
-const Questions& questions() {
-  static const auto table = [] {
-    Questions list;
-    for (const AddCommand add : answering_commands()) {
-      Program program("phrame", "", "");
-      add(program);
-      list.emplace_back(program.commands().front()->name(), add);
-    }
-    return list;
-  }();
-  return table;
-}
-
 std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
-                            const Questions& table) {
+                            const CommandTable& table) {
   const auto asked = line.find("question");
   const std::string name = asked ? asked->string() : defaults.question;
   const AddCommand add = choose("/question", name, table);

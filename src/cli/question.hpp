@@ -8,11 +8,6 @@
 
 namespace phrame::cli {
 
-/// What a line of a batch can ask: what a command answers, with the command's name.
-using Questions = std::vector<std::pair<std::string, AddCommand>>;
-/// Those of the answering_commands().
-const Questions& questions();
-
 /// For lines that do not say otherwise.
 struct QuestionDefaults {
   std::string question;
@@ -31,6 +26,6 @@ struct QuestionDefaults {
 /// Throws what the command does, the place being a JSON pointer, and Failure for a command that
 /// says no without an output. May be called from several threads.
 std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
-                            const Questions& table = questions());
+                            const CommandTable& table = answering_commands());
 
 }  // namespace phrame::cli

@@ -26,7 +26,7 @@ void add_totals_with_more(cli::Program& program) {
   });
 }
 
-const cli::Questions with_more{{"totals", add_totals_with_more}};
+const cli::CommandTable with_more{{"totals", add_totals_with_more}};
 
 /// What a command of the program writes.
 std::string written(cli::Program& program, const std::string& command, const std::string& argument,
