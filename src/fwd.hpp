@@ -63,7 +63,6 @@ struct StartNormal;
 // ph/twist
 class MinimalTwist;
 struct TwistFrame;
-class WronskianFrame;
 
 // ph/construct
 struct GivenPoints;

@@ -1,5 +1,6 @@
 #pragma once
-// The public interface: this and what it includes; all else is not installed. Where to begin:
+// The public interface: this and what it includes; all else is inside, and not installed. Where to
+// begin:
 //   read_path(), identify()                   curves of files, or by their hodograph
 //   read_any_path()                           curves of any kind, of files of any format
 //   answer(path, AngleQuery{…}), to_text()    what the commands of the program answer, and its text
@@ -15,7 +16,6 @@
 #include "phrame/answer/classification.hpp"
 #include "phrame/answer/compiled.hpp"
 #include "phrame/answer/construction.hpp"
-#include "phrame/answer/coq.hpp"
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/answer/identification.hpp"
 #include "phrame/answer/info.hpp"
@@ -24,22 +24,18 @@
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/answer/minimal_twist.hpp"
 #include "phrame/answer/offset.hpp"
-#include "phrame/answer/page.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/answer/wronskian.hpp"
 
 // What is read.
-#include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/certificate_file.hpp"
-#include "phrame/io/read/endpoint.hpp"
+#include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/feedrate.hpp"
 #include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/frame_csv.hpp"
-#include "phrame/io/read/given_segment.hpp"
-#include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/profile.hpp"
 
@@ -47,54 +43,36 @@
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/c_header.hpp"
 #include "phrame/io/write/camera.hpp"
-#include "phrame/io/write/cas_script.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/io/write/check.hpp"
-#include "phrame/io/write/closed_form.hpp"
-#include "phrame/io/write/coq_proof.hpp"
 #include "phrame/io/write/curve_file.hpp"
-#include "phrame/io/write/endpoint_text.hpp"
+#include "phrame/io/write/formula.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/gcode.hpp"
 #include "phrame/io/write/mesh.hpp"
-#include "phrame/io/write/names.hpp"
-#include "phrame/io/write/nearness.hpp"
-#include "phrame/io/write/page.hpp"
 #include "phrame/io/write/passage.hpp"
 
-// PH curves, beyond what the answers need.
-#include "phrame/ph/along/travel_time.hpp"
-#include "phrame/ph/construct/c2_hermite.hpp"
-#include "phrame/ph/construct/c2_spline.hpp"
-#include "phrame/ph/construct/rmf_difference.hpp"
-#include "phrame/ph/curve/transform.hpp"
-#include "phrame/ph/frame/frame_quaternion.hpp"
-#include "phrame/ph/frame/path_frame.hpp"
-#include "phrame/ph/frame/rotation_ball.hpp"
-#include "phrame/ph/offset/offset_measure.hpp"
-#include "phrame/ph/offset/offset_meeting.hpp"
-#include "phrame/ph/proof/certify.hpp"
-#include "phrame/ph/proof/verify.hpp"
-
-// Curves of any kind, likewise.
+// Curves and paths, their frames, lengths and times, beyond what the answers need.
 #include "phrame/ph/along/curvature.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/along/up_vector.hpp"
-#include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/corner.hpp"
-#include "phrame/ph/curve/rational_form.hpp"
+#include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/frame_quaternion.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/verify.hpp"
 
-// Rational functions, likewise, and what to call first where memory may not do.
-#include "phrame/algebra/as_written.hpp"
-#include "phrame/algebra/elementary.hpp"
+// Numbers and rational functions, likewise, errors, and what to call first where memory may not do.
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/roots.hpp"
-#include "phrame/algebra/rounded_polynomial.hpp"
 #include "phrame/algebra/time_limit.hpp"
-#include "phrame/algebra/zero_bound.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/version.hpp"

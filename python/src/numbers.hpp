@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "phrame/phrame.hpp"
+#include "insides.hpp"
 
 namespace phrame::python {
 

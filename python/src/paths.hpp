@@ -2,7 +2,7 @@
 #include "arguments.hpp"
 #include "frame_source.hpp"
 #include "general_source.hpp"
-#include "phrame/phrame.hpp"
+#include "insides.hpp"
 #include "values.hpp"
 
 namespace phrame::python {

@@ -7,14 +7,6 @@
 
 namespace phrame {
 
-/// How γ = x + iy turns between 0 and t, by the signs of the Sturm sequence of (x, y) at both ends.
-struct TurnCount {
-  long index;           ///< sign changes at 0 minus those at t: the Cauchy index of y/x
-  std::string at_zero;  ///< "+-0…", one for each polynomial of the sequence
-  std::string at_t;     ///< the same at t
-  friend bool operator==(const TurnCount&, const TurnCount&) = default;
-};
-
 /// The continuous argument of γ(t) ∈ ℂ along the real line, counted from t = 0. No root is found:
 /// the difference of principal arguments is exact up to whole turns, and these are counted by the
 /// Cauchy index of Im/Re, exactly.

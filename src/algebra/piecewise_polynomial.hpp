@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "phrame/algebra/double_polynomial.hpp"
@@ -107,5 +108,10 @@ class PiecewisePolynomial {
   double cells_per_unit_ = 1;
   std::vector<std::uint32_t> first_;
 };
+
+/// The same, for several to have.
+inline std::shared_ptr<const PiecewisePolynomial> shared(PiecewisePolynomial polynomials) {
+  return std::make_shared<const PiecewisePolynomial>(std::move(polynomials));
+}
 
 }  // namespace phrame

@@ -54,4 +54,10 @@ long bits_of(const RationalFunction& f);
 /// "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or as a polynomial where it is one.
 std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
 
+/// How large the values of a computation may become whose steps somebody else chooses.
+struct SizeLimits {
+  long max_degree = 1000;    ///< of numerators and denominators
+  long max_bits = 1L << 19;  ///< of the integers in them; 10^100000 has 332193
+};
+
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "phrame/algebra/polynomial.hpp"
 
@@ -62,5 +63,13 @@ class SturmChain {
 /// The Cauchy index of q/p on (a, b): the number of jumps of q/p from −∞ to +∞ minus the number of
 /// jumps from +∞ to −∞ = V(a) − V(b). Precondition: p(a)·p(b) ≠ 0. The chain is that of (p, q).
 long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b);
+
+/// How γ = x + iy turns between 0 and t, by the signs of the Sturm sequence of (x, y) at both ends.
+struct TurnCount {
+  long index;           ///< sign changes at 0 minus those at t: the Cauchy index of y/x
+  std::string at_zero;  ///< "+-0…", one for each polynomial of the sequence
+  std::string at_t;     ///< the same at t
+  friend bool operator==(const TurnCount&, const TurnCount&) = default;
+};
 
 }  // namespace phrame

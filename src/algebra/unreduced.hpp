@@ -6,12 +6,6 @@
 
 namespace phrame {
 
-/// How large the values of a computation may become whose steps somebody else chooses.
-struct SizeLimits {
-  long max_degree = 1000;    ///< of numerators and denominators
-  long max_bits = 1L << 19;  ///< of the integers in them; 10^100000 has 332193
-};
-
 /// A rational function c·tᵏ·n/d that is brought to lowest terms only when it must be, because a gcd
 /// after every step is what makes long computations in ℚ(t) slow. A monomial has n = d = 1, and its
 /// arithmetic is that of c and k. Invariant: n(0)·d(0) ≠ 0, a constant n or d is 1, and zero has

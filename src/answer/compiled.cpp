@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "phrame/answer/rounded.hpp"
-#include "phrame/ph/frame/compiled_angle.hpp"
+#include "phrame/ph/frame/angle_polynomials.hpp"
 #include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
@@ -24,28 +24,24 @@ CompiledAnswer answer(const NamedPath& named, const CompiledQuery& query) {
   const StartAngle start = start_angle(query.start, angle);
   const bool is_up = angle.reference() == Reference::up;
   const RmfAngle* curve = goes_on(named.path) && !is_up ? angle.closed_form(0) : nullptr;
-  CompiledAnswer compiled{
-      named,
-      angle.reference(),
-      query.start,
-      FrameAngle(),
-      curve != nullptr ? compiled_angle(*curve, *start.exact, query.from, query.to, plain_shape(1))
-                       : compiled_angle(angle, start, plain_shape(1)),
-      {}};
+  CompiledAnswer compiled{named, angle.reference(), query.start, FrameAngle(),
+                          shared(curve != nullptr ? compiled_angle(*curve, *start.exact, query.from,
+                                                                   query.to, plain_shape(1))
+                                                  : compiled_angle(angle, start, plain_shape(1)))};
   if (start.exact)
     compiled.start_angle = *start.exact;
   else
     compiled.start_angle = rounded_or_zero(start.value, "theta at t = 0", 17);
   if (is_up) compiled.up = angle.up();
   if (angle.reference() == Reference::frenet) return compiled;
-  compiled.rotation = curve != nullptr
-                          ? compiled_rotation(*ph_curve(named.path.segments().front()), *curve,
-                                              *start.exact, query.from, query.to, plain_shape(4))
-                          : compiled_rotation(angle, start, plain_shape(4));
+  compiled.rotation = shared(
+      curve != nullptr ? compiled_rotation(*ph_curve(named.path.segments().front()), *curve,
+                                           *start.exact, query.from, query.to, plain_shape(4))
+                       : compiled_rotation(angle, start, plain_shape(4)));
   return compiled;
 }
 
-double angle_error(const CompiledAnswer& answer) { return greatest_error(answer.angle); }
+double angle_error(const CompiledAnswer& answer) { return greatest_error(*answer.angle); }
 
 // A component is ((uu ± vv) ± pp) ± qq or twice a sum of two products. With |b| = 1, nearly, the
 // products are off by 2^−53 together and each of the three sums by as much, at most; twice a sum of

@@ -1,11 +1,13 @@
 #pragma once
-#include "phrame/algebra/angle.hpp"
-#include "phrame/algebra/piecewise_polynomial.hpp"
+#include <memory>
+
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
+
+class PiecewisePolynomial;
 
 /// The angle and the frame as polynomials with a proof, docs/compiled.md.
 struct CompiledQuery {
@@ -23,13 +25,15 @@ struct CompiledAnswer {
   Reference reference;                            ///< the frame that θ is measured from
   FrameStart start;                               ///< as asked
   std::variant<FrameAngle, Decimal> start_angle;  ///< θ(0)
-  PiecewisePolynomial angle;                      ///< of plain_shape(1)
-  std::optional<PiecewisePolynomial> rotation;    ///< of plain_shape(4); not of a Frenet frame
+  /// @{ The angle, and the unit quaternion of the frame; null for that of a Frenet frame.
+  std::shared_ptr<const PiecewisePolynomial> angle;
+  std::shared_ptr<const PiecewisePolynomial> rotation = nullptr;
+  /// @}
   /// v, where the angle is to the frame of one.
   std::optional<Vector<Rational>> up = {};
 };
 
-/// Throws as PathAngle, start_angle(), compiled_angle() and compiled_rotation().
+/// Throws as PathAngle, start_angle(), CompiledAngle and CompiledFrames.
 CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:

@@ -3,7 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "phrame/ph/construct/quintic_spline.hpp"
+#include "phrame/ph/construct/construction.hpp"
+#include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {

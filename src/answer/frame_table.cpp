@@ -6,16 +6,20 @@
 #include <cmath>
 #include <limits>
 
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/answer/table_row.hpp"
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/frame/rounded_frames.hpp"
 
 namespace phrame {
 namespace {

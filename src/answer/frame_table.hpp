@@ -1,6 +1,4 @@
 #pragma once
-#include <functional>
-
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
@@ -62,10 +60,10 @@ struct TableColumns {
 struct FrameTable {
   std::vector<std::string> columns;       ///< their names: "t", "x", "y", "z", "e1x", …
   std::vector<std::vector<double>> rows;  ///< as long as columns
-  std::string format = "frames/1";    ///< as JSON names it
-  std::size_t incomplete_rows = 0;    ///< so many have empty cells
-  std::string first_reason = {};      ///< why the first of these has
-  std::optional<Nearness> near = {};  ///< of the path, where it stands for what is no PH path
+  std::string format = "frames/1";        ///< as JSON names it
+  std::size_t incomplete_rows = 0;        ///< so many have empty cells
+  std::string first_reason = {};          ///< why the first of these has
+  std::optional<Nearness> near = {};      ///< of the path, where it stands for what is no PH path
   /// Where a rotation-minimizing frame that is in it starts.
   std::optional<FrameStart> start = {};
   std::optional<Vector<Rational>> up = {};  ///< v of the frame up that is in it, or of the start
@@ -95,25 +93,7 @@ FrameTable frame_table(const Curve& curve, const TableColumns& columns,
 FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                        const std::vector<Rational>& at);
 
-/// Is that one of its frames?
-bool has_frame(const TableColumns& columns, TabulatedFrame frame);
 /// What the columns are called: "t", "x", "y", "z", "e1x", …
 std::vector<std::string> names_of(const TableColumns& columns);
-
-/// One row while it grows.
-struct TableRow {
-  std::vector<double> values = {};  ///< rounded
-  long digits = 0;                  ///< of the decimals; 0 for none
-  std::vector<std::string> decimals = {};
-
-  void add(const Real& x);  ///< appends it, correctly rounded
-  void add(const Vector<Real>& v);
-  void add_empty(std::size_t count);  ///< so many empty cells
-  void resize(std::size_t count);     ///< leaves out what is behind
-};
-
-/// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
-/// of what the row is.
-void add_row(FrameTable& table, std::vector<double> row, const std::function<std::string()>& place);
 
 }  // namespace phrame

@@ -10,6 +10,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
 namespace phrame {

@@ -5,6 +5,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
+#include "phrame/answer/table_row.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
 namespace phrame {

@@ -2,7 +2,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/offset/offset_join.hpp"
+#include "phrame/ph/offset/offset.hpp"
 
 namespace phrame {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/table_row.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 
 namespace phrame {

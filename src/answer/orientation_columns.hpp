@@ -2,6 +2,7 @@
 #include <map>
 
 #include "phrame/answer/frame_table.hpp"
+#include "phrame/answer/table_row.hpp"
 
 namespace phrame {
 

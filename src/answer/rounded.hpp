@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/error_size.hpp"
 #include "phrame/ph/along/path_totals.hpp"
 
 namespace phrame {
@@ -18,13 +18,7 @@ Decimal rounded_or_zero(const Real& x, const std::string& name, long digits, lon
 Decimal rounded_or_zero(const Real& x, const std::string& name, long digits);
 /// @}
 
-/// A number that is not negative: correctly rounded, or, where it may be 0, an upper bound.
-struct ErrorSize {
-  Decimal value;          ///< with the digits asked for
-  std::string in_short;   ///< the number, rounded once to six digits for a table
-  bool is_bound = false;  ///< is it an upper bound?
-};
-/// Of a number ≥ 0.
+/// The size of a number ≥ 0.
 ErrorSize error_size(const Real& number, const std::string& name, long digits);
 
 }  // namespace phrame

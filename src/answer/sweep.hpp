@@ -4,7 +4,9 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/sweep/profile.hpp"
 #include "phrame/ph/sweep/sweep.hpp"
+#include "phrame/ph/sweep/sweep_scale.hpp"
 
 namespace phrame {
 

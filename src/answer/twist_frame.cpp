@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/answer/rounded.hpp"
+
 namespace phrame {
 namespace {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "phrame/answer/rounded.hpp"
+#include "phrame/answer/error_size.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {

@@ -1,9 +1,11 @@
 #include "phrame/answer/wronskian.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/rounded.hpp"
 #include "phrame/ph/twist/frame_angle_error.hpp"
 #include "phrame/ph/twist/rational_twist.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
+#include "phrame/ph/twist/wronskian_frame.hpp"
 
 namespace phrame {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
-#include "phrame/answer/rounded.hpp"
+#include "phrame/answer/error_size.hpp"
 #include "phrame/ph/curve/named.hpp"
-#include "phrame/ph/twist/wronskian_frame.hpp"
+#include "phrame/ph/twist/frame_weight.hpp"
+#include "phrame/ph/twist/wronskian_planes.hpp"
 
 namespace phrame {
 

@@ -1,6 +1,7 @@
 #include "phrame/answer/classification.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/answers.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/camera_path.hpp"
 #include "phrame/answer/frame_table.hpp"
+#include "phrame/answer/table_row.hpp"
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"

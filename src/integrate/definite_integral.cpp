@@ -15,6 +15,7 @@
 #include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/log_change.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/exact_value.hpp"
 
 namespace phrame {

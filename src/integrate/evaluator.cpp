@@ -12,6 +12,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/exact_value.hpp"
+#include "phrame/integrate/log_change.hpp"
 #include "phrame/integrate/pole_sum.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"

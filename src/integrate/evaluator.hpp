@@ -6,9 +6,10 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
-#include "phrame/integrate/partial_fractions.hpp"
 
 namespace phrame {
+
+struct SimpleFraction;
 
 /// The way to F(b) − F(a) between rational ends. Roots, once isolated, serve all values; the
 /// quadrature of F′ needs none, but is done anew for each.

@@ -3,9 +3,16 @@
 
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
-#include "phrame/integrate/style.hpp"
 
 namespace phrame {
+
+/// How an antiderivative is written.
+enum class Style {
+  logarithms,  ///< as it is: sums of logarithms over roots
+  textbook,    ///< in real functions, as far as that is short
+  real,
+  radicals,
+};
 
 /// An antiderivative in another style than with its logarithms, up to a constant.
 using OtherForm = std::variant<std::monostate, TextbookForm, RealForm, RadicalForm>;

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/endpoint.hpp"
 
 namespace phrame {
 

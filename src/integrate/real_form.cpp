@@ -18,9 +18,9 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/other_form.hpp"
 #include "phrame/integrate/quadratic_fields.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
-#include "phrame/integrate/style.hpp"
 
 namespace phrame {
 namespace {

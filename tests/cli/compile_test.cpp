@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/write/c_header.hpp"

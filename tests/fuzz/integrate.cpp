@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/definite_integral.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/real_form.hpp"
 

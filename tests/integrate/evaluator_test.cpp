@@ -4,6 +4,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "support/random.hpp"
 

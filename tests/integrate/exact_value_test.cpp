@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;

@@ -8,6 +8,7 @@
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"

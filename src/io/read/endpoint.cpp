@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/io/read/expression_token.hpp"
 #include "phrame/io/write/text.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/unreduced.hpp"
 #include "phrame/io/read/operator_reader.hpp"
 
 // Values are computed as soon as an operation is complete. A sum stays open for further summands

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "phrame/algebra/unreduced.hpp"
+#include "phrame/algebra/rational_function.hpp"
 
 namespace phrame {
 

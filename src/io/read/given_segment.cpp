@@ -3,6 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/joints.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/identify.hpp"
 

@@ -9,6 +9,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/gap.hpp"
 #include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

@@ -1,4 +1,5 @@
 #include "phrame/io/read/profile.hpp"
+#include "phrame/io/read/profile_curve.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string_view>
 
-#include "phrame/ph/sweep/profile_curve.hpp"
+#include "phrame/ph/sweep/profile.hpp"
 
 namespace phrame {
 
@@ -21,13 +21,5 @@ std::optional<Profile> parse_profile(std::string_view text, const ProfileToleran
 /// line. One ring or subpath goes around all others, which are holes, whatever fill-rule says. The
 /// y of SVG, which is down there, is up. Throws InputError, its place line:column or "line 3".
 Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
-
-/// @{ The same exactly: circles in rational quarters, outlines of SVG with the curves they have.
-/// The corners of a regular polygon are doubles. That an outline does not meet itself is seen of
-/// its polygon, to within 1/1000 of its size; that outlines do not meet each other, exactly, else
-/// Undecided is thrown.
-std::optional<ProfileCurve> parse_profile_curve(std::string_view text);
-ProfileCurve read_profile_curve(std::string_view bytes);
-/// @}
 
 }  // namespace phrame

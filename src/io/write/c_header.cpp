@@ -1,11 +1,12 @@
 #include "phrame/io/write/c_header.hpp"
-#include "phrame/io/write/frame_start.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/io/write/frame_start.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/version.hpp"
@@ -236,7 +237,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
   const auto is_long = [](const PiecewisePolynomial& table) {
     return table.pieces().size() > 65536;
   };
-  const bool needs_long = is_long(header.angle) || (header.rotation && is_long(*header.rotation));
+  const bool needs_long = is_long(*header.angle) || (header.rotation && is_long(*header.rotation));
   const char* index = needs_long ? "unsigned long" : "unsigned short";
   const char* number = needs_long ? "unsigned long" : "unsigned";
   const auto fill = [&](const char* text, const PiecewisePolynomial& table) {
@@ -266,11 +267,11 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
       arg("normal", about_start(header.start)), arg("near", about_curve(header.path.near)),
       arg("angle_error", decimal_above(error)), arg("angle_error_hex", fmt::format("{:a}", error)),
       arg("frame_text", about_frame), arg("frame_define", define_frame),
-      arg("from", header.angle.from()), arg("to", header.angle.to()),
-      arg("from_hex", fmt::format("{:a}", header.angle.from())),
-      arg("to_hex", fmt::format("{:a}", header.angle.to())), arg("version", version));
-  text += fill(find_function, header.angle);
-  text += tables(p + "_theta", header.angle, index) + fill(theta_function, header.angle);
+      arg("from", header.angle->from()), arg("to", header.angle->to()),
+      arg("from_hex", fmt::format("{:a}", header.angle->from())),
+      arg("to_hex", fmt::format("{:a}", header.angle->to())), arg("version", version));
+  text += fill(find_function, *header.angle);
+  text += tables(p + "_theta", *header.angle, index) + fill(theta_function, *header.angle);
   if (header.rotation)
     text += tables(p + "_frame", *header.rotation, index) + fill(frame_function, *header.rotation);
   return text + "#endif\n";

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "phrame/algebra/surd.hpp"
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/text.hpp"
 

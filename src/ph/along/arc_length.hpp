@@ -2,11 +2,12 @@
 #include <memory>
 #include <optional>
 
-#include "phrame/algebra/increasing.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
+
+struct IncreasingFunction;
 
 /// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
 Polynomial arc_length(const Curve& curve);

@@ -11,7 +11,10 @@
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

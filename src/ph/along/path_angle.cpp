@@ -18,6 +18,7 @@
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/corner.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 

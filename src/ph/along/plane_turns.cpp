@@ -13,6 +13,7 @@
 #include <mutex>
 
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

@@ -1,7 +1,10 @@
 #include "phrame/ph/along/rmf_angle.hpp"
 
+#include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/shared.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
+#include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/short_integral.hpp"
 
 namespace phrame {
@@ -86,6 +89,18 @@ RationalFunction rate_to_frenet(const QuaternionPolynomial& a) {
   return rate_to_erf(a) + rate_of_argument(regular_bend(a));
 }
 
+struct RmfAngle::Parts {
+  RationalFunction rate;
+  RationalFunction rate_to_erf;  ///< θ′ without that of the argument of the bend
+  Form form;
+  Antiderivative without_logarithms;
+  std::optional<GaussianPolynomial> bend;
+  std::optional<ContinuousArgument> argument;  ///< of the bend
+  Lazy<Antiderivative> angle_to_erf{};
+  Lazy<Antiderivative> antiderivative{};
+  Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
+};
+
 RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form)
     : RmfAngle(preimage,
                reference == Reference::frenet ? std::optional(regular_bend(not_zero(preimage)))
@@ -120,6 +135,12 @@ RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianP
   evaluator_ = Evaluator(part.F, to_erf, simple_fractions(part.rest));
   parts_ = std::make_shared<const Parts>(std::move(parts));
 }
+
+const RationalFunction& RmfAngle::rate() const { return parts_->rate; }
+
+const Antiderivative& RmfAngle::without_logarithms() const { return parts_->without_logarithms; }
+
+const std::optional<GaussianPolynomial>& RmfAngle::bend() const { return parts_->bend; }
 
 const Antiderivative& RmfAngle::angle_to_erf() const {
   return parts_->angle_to_erf.get([&] { return integrate(parts_->rate_to_erf, parts_->form); });

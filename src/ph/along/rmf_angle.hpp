@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 
-#include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
@@ -43,16 +42,16 @@ class RmfAngle {
   ~RmfAngle() = default;
 
   /// θ′ in lowest terms.
-  const RationalFunction& rate() const { return parts_->rate; }
+  const RationalFunction& rate() const;
   /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
   /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0. Found when it is first asked for: no value needs
   /// its form.
   const Antiderivative& angle_to_erf() const;
   /// The same without its logarithms.
-  const Antiderivative& without_logarithms() const { return parts_->without_logarithms; }
+  const Antiderivative& without_logarithms() const;
   /// g without its real factor; none where its argument is constant or θ ≡ 0, and to the
   /// Euler–Rodrigues frame.
-  const std::optional<GaussianPolynomial>& bend() const { return parts_->bend; }
+  const std::optional<GaussianPolynomial>& bend() const;
   /// θ up to a constant as one value; its derivative is rate(), checked. arg g is in it as the last
   /// sum, Σ x·log v(x, t) over x = ±i/2 with v(−i/2, t) = g made monic.
   const Antiderivative& antiderivative() const;
@@ -72,17 +71,7 @@ class RmfAngle {
   std::optional<GaussianRational> direction(const Rational& t) const;
 
  private:
-  struct Parts {
-    RationalFunction rate;
-    RationalFunction rate_to_erf;  ///< θ′ without that of the argument of the bend
-    Form form;
-    Antiderivative without_logarithms;
-    std::optional<GaussianPolynomial> bend;
-    std::optional<ContinuousArgument> argument;  ///< of the bend
-    Lazy<Antiderivative> angle_to_erf{};
-    Lazy<Antiderivative> antiderivative{};
-    Lazy<std::optional<GaussianPolynomial>> phase{};  ///< whose argument it is, if any
-  };
+  struct Parts;
 
   RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> bend, Form form);
 

@@ -9,6 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/integrate/integral_sum.hpp"
+#include "phrame/ph/along/segment_time.hpp"
 #include "phrame/ph/along/time_of_length.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 

@@ -3,9 +3,10 @@
 
 #include "phrame/ph/along/feedrate.hpp"
 #include "phrame/ph/along/path_length.hpp"
-#include "phrame/ph/along/segment_time.hpp"
 
 namespace phrame {
+
+class SegmentTime;
 
 /// How many whole k ≥ 0 have k·period < total. Throws DomainError for a period ≤ 0, Undecided where
 /// the total cannot be told from a multiple of the period.

@@ -13,6 +13,7 @@
 #include "phrame/ph/along/expression_integral.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
+#include "phrame/ph/curve/formula_program.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

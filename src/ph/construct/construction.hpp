@@ -1,7 +1,4 @@
 #pragma once
-#include <string>
-
-#include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/quintic_choice.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
@@ -27,16 +24,6 @@ enum class PointRule {
   near,  ///< within the tolerance
   exact  ///< by equal fractions; between two points there are then several segments
 };
-
-/// What `make` makes of segment k; where it is Undecided, that names the segment.
-template <class F>
-auto of_segment(std::size_t k, const F& make) {
-  try {
-    return make();
-  } catch (const Undecided& error) {
-    throw Undecided("segment " + std::to_string(k + 1) + ": " + error.what());
-  }
-}
 
 /// An exact curve near its data.
 struct Construction {

@@ -1,7 +1,6 @@
 #pragma once
 #include <variant>
 
-#include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
@@ -40,13 +39,13 @@ struct NearPath {
   Nearness nearness;  ///< to what was given
 };
 
-/// The same for curves, at least one, that follow one another. The joints of the spline are exact:
-/// one position, one tangent, and one derivative where those given agree within what ε makes of
-/// them. Each segment starts where the one before ends, and aims at the points given, so that
-/// distances do not add up. The ends of the spline need not meet exactly if those of the curves do.
-/// Throws DomainError where the tangent breaks and at a cusp at a joint, too. Joints come from
-/// doubles, so that ε is to be 1e-15 of the size at least.
-std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curves,
+/// The same for curves, at least one, that follow one another, by their control points. The joints
+/// of the spline are exact: one position, one tangent, and one derivative where those given agree
+/// within what ε makes of them. Each segment starts where the one before ends, and aims at the
+/// points given, so that distances do not add up. The ends of the spline need not meet exactly if
+/// those of the curves do. Throws DomainError where the tangent breaks and at a cusp at a joint,
+/// too. Joints come from doubles, so that ε is to be 1e-15 of the size at least.
+std::variant<NearPath, NotNear> near_path(const std::vector<std::vector<Vector<Rational>>>& curves,
                                           const Rational& epsilon);
 
 }  // namespace phrame

@@ -1,4 +1,6 @@
 #pragma once
+#include <variant>
+
 #include "phrame/algebra/angle.hpp"
 
 namespace phrame {
@@ -31,5 +33,8 @@ struct SolutionAngles {
   double phi1;  ///< φ₁
   double phi2;  ///< φ₂
 };
+
+/// Which of the quintics: by a rule, or by angles, the same in all segments.
+using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>;
 
 }  // namespace phrame

@@ -1,13 +1,8 @@
 #pragma once
-#include <variant>
-
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
 namespace phrame {
-
-/// Which of the quintics: by a rule, or by angles, the same in all segments.
-using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>;
 
 /// A C¹ spline of PH quintics, exactly, near its data. Segment k is r′ = h_k·A i A* on [0, 1], h_k
 /// the step of the parameter, so that neighbours have the derivative by the parameter in common:

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/of_segment.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"

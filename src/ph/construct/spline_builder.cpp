@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/of_segment.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/scale.hpp"
 

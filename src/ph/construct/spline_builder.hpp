@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/construct/multiplier.hpp"

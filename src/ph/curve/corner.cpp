@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/curve/real_vector.hpp"
 
 namespace phrame {
 

@@ -1,6 +1,8 @@
 #include "phrame/ph/curve/curve_jet.hpp"
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/complex_series.hpp"
+#include "phrame/ph/curve/formula_program.hpp"
 
 namespace phrame {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "phrame/ph/curve/formula_program.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {

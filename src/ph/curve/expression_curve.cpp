@@ -3,26 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/shared.hpp"
+#include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/known_integrals.hpp"
 
 namespace phrame {
 namespace {
 
-using FormulaId = FormulaProgram::Id;
-
 /// With which the ends of the parameter are told apart.
 constexpr long end_bits = 1024;
-
-/// s at t.
-FormulaId parameter_step(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
-  const FormulaId a = program.insert(curve.from(), program.number(0));
-  const FormulaId b = program.insert(curve.to(), program.number(0));
-  if (t == 1) return b;
-  return program.add(a, program.multiply(program.number(t), program.subtract(b, a)));
-}
 
 RealBall end_value(const Formula& end, const std::string& variable) {
   if (!is_constant(end))
@@ -40,8 +33,8 @@ void check_ends(const ExpressionCurve& curve) {
   const RealBall b = end_value(curve.to(), curve.variable());
   if (!a.overlaps(b)) return;
   FormulaProgram program;
-  const FormulaId from = parameter_step(curve, 0, program);
-  const FormulaId to = parameter_step(curve, 1, program);
+  const FormulaProgram::Id from = program.insert(curve.from(), program.number(0));
+  const FormulaProgram::Id to = program.insert(curve.to(), program.number(0));
   const std::string ends = fmt::format("from {} to {}", to_string(curve.from(), curve.variable()),
                                        to_string(curve.to(), curve.variable()));
   if (from == to)
@@ -94,88 +87,44 @@ void require_sizes(const ExpressionCurve& curve) {
                 "at least that");
 }
 
-Vector<RealBall> values(const FormulaProgram& program, const ExactVector& v, long bits) {
-  Vector<RealBall> result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = constant_value(program, v[k], bits);
-  return result;
-}
-
 Vector<ComplexSeries> unknown_vector(long length) {
   const ComplexSeries unknown(
       std::vector<ComplexBall>(static_cast<std::size_t>(length), ComplexBall::unknown()));
   return {unknown, unknown, unknown};
 }
 
-/// The vector, where all its components are known exactly.
-std::optional<Vector<FormulaConstant>> exact_vector(const FormulaProgram& program,
-                                                    const ExactVector& v) {
-  Vector<FormulaConstant> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto component = program.constant(v[k]);
-    if (!component) return std::nullopt;
-    result[k] = *component;
-  }
-  return result;
-}
-
-/// That vector, or 1/π of it, where its components are sums of square roots.
-std::optional<Vector<Surd>> surd_direction(const FormulaProgram& program, const ExactVector& v) {
-  const auto exact = exact_vector(program, v);
-  if (!exact) return std::nullopt;
-  const auto& [x, y, z] = *exact;
-  if (x.of_pi.is_zero() && y.of_pi.is_zero() && z.of_pi.is_zero())
-    return Vector<Surd>{x.plain, y.plain, z.plain};
-  if (x.plain.is_zero() && y.plain.is_zero() && z.plain.is_zero())
-    return Vector<Surd>{x.of_pi, y.of_pi, z.of_pi};
-  return std::nullopt;
-}
-
-/// Is a a positive multiple of b?
-bool is_positive_multiple(const Vector<Surd>& a, const Vector<Surd>& b) {
-  Surd scalar;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3;
-    const std::size_t j = (k + 2) % 3;
-    if (!(a[i] * b[j] - a[j] * b[i]).is_zero()) return false;
-    scalar = scalar + a[k] * b[k];
-  }
-  return sign(scalar) > 0;
-}
-
-/// a·b, for vectors of balls.
-RealBall dot_product(const Vector<RealBall>& a, const Vector<RealBall>& b, long bits) {
-  RealBall sum;
-  for (std::size_t k = 0; k < 3; ++k) sum = add_product(std::move(sum), a[k], b[k], bits);
-  return sum;
-}
-
-/// Is a×b seen not to be 0?
-bool are_apart(const Vector<RealBall>& a, const Vector<RealBall>& b, long bits) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3;
-    const std::size_t j = (k + 2) % 3;
-    const RealBall minor = subtract(multiply(a[i], b[j], bits), multiply(a[j], b[i], bits), bits);
-    if (sign(minor) != 0) return true;
-  }
-  return false;
-}
-
 }  // namespace
+
+struct ExpressionCurve::State {
+  Vector<Formula> position;
+  Formula from;
+  Formula to;
+  std::string variable;
+  FormulaProgram program{};
+  Vector<std::size_t> components{};
+  std::array<Lazy<Vector<Formula>>, 3> derivatives{};  ///< r′, r″, r‴ by s
+  KnownIntegrals known_integrals{};
+};
 
 ExpressionCurve::ExpressionCurve(Vector<Formula> position, Formula from, Formula to,
                                  std::string variable)
-    : position_(std::move(position)),
-      from_(std::move(from)),
-      to_(std::move(to)),
-      variable_(std::move(variable)),
-      known_integrals_(std::make_shared<KnownIntegrals>()) {
+    : state_(new State{std::move(position), std::move(from), std::move(to), std::move(variable)}) {
   check_ends(*this);
+  FormulaProgram& program = state_->program;
   for (std::size_t k = 0; k < 3; ++k)
-    components_[k] = program_.insert(position_[k], program_.variable());
+    state_->components[k] = program.insert(state_->position[k], program.variable());
   require_sizes(*this);
-  if (const auto& fault = known_integrals_->parts(*this, length_rate())->fault)
+  if (const auto& fault = known_integrals().parts(*this, length_rate())->fault)
     refuse_part(*this, *fault);
 }
+
+const Vector<Formula>& ExpressionCurve::position() const { return state_->position; }
+const Formula& ExpressionCurve::from() const { return state_->from; }
+const Formula& ExpressionCurve::to() const { return state_->to; }
+const std::string& ExpressionCurve::variable() const { return state_->variable; }
+const FormulaProgram& ExpressionCurve::program() const { return state_->program; }
+const Vector<std::size_t>& ExpressionCurve::components() const { return state_->components; }
+KnownIntegrals& ExpressionCurve::known_integrals() const { return state_->known_integrals; }
 
 ExpressionCurve ExpressionCurve::turned_over() const {
   ExpressionCurve other = *this;
@@ -184,8 +133,8 @@ ExpressionCurve ExpressionCurve::turned_over() const {
 }
 
 const Vector<Formula>& ExpressionCurve::derivative(std::size_t order) const {
-  if (order == 0) return position_;
-  return derivatives_[order - 1].get([&] {
+  if (order == 0) return position();
+  return state_->derivatives[order - 1].get([&] {
     const Vector<Formula>& f = derivative(order - 1);
     return Vector<Formula>{phrame::derivative(f[0]), phrame::derivative(f[1]),
                            phrame::derivative(f[2])};
@@ -193,91 +142,42 @@ const Vector<Formula>& ExpressionCurve::derivative(std::size_t order) const {
 }
 
 bool operator==(const ExpressionCurve& a, const ExpressionCurve& b) {
-  return a.position_ == b.position_ && a.from_ == b.from_ && a.to_ == b.to_ &&
+  return a.position() == b.position() && a.from() == b.from() && a.to() == b.to() &&
          a.orientation_ == b.orientation_;
 }
 
 RealBall ExpressionCurve::parameter(const RealBall& t, long bits) const {
-  const RealBall a = constant_value(from_, bits);
-  return add_product(a, subtract(constant_value(to_, bits), a, bits), t, bits);
+  const RealBall a = constant_value(from(), bits);
+  return add_product(a, subtract(constant_value(to(), bits), a, bits), t, bits);
 }
 
 Vector<BallPolynomial> ExpressionCurve::series(const RealBall& t, const Rational& scale,
                                                long length, long bits) const {
-  const RealBall a = constant_value(from_, bits);
-  const RealBall span = subtract(constant_value(to_, bits), a, bits);
+  const RealBall a = constant_value(from(), bits);
+  const RealBall span = subtract(constant_value(to(), bits), a, bits);
   const BallPolynomial s(std::vector<RealBall>{add_product(a, span, t, bits),
                                                multiply(span, RealBall(scale, bits), bits)});
-  const auto all = evaluate_steps(program_.steps(), s, length, bits);
-  return {all[components_[0]], all[components_[1]], all[components_[2]]};
+  const auto all = evaluate_steps(program().steps(), s, length, bits);
+  return {all[components()[0]], all[components()[1]], all[components()[2]]};
 }
 
 Vector<ComplexSeries> ExpressionCurve::series(const ComplexBall& t, const Rational& scale,
                                               long length, long bits) const {
-  const RealBall a = constant_value(from_, bits);
-  const RealBall span = subtract(constant_value(to_, bits), a, bits);
+  const RealBall a = constant_value(from(), bits);
+  const RealBall span = subtract(constant_value(to(), bits), a, bits);
   const ComplexSeries s({add(multiply(span, t, bits), ComplexBall(a, {}), bits),
                          ComplexBall(multiply(span, RealBall(scale, bits), bits), {})});
-  const auto all = evaluate_steps(program_.steps(), s, length, bits);
+  const auto all = evaluate_steps(program().steps(), s, length, bits);
   const bool is_analytic = std::all_of(all.begin(), all.end(), [](const ComplexSeries& step) {
     return step.coefficient(0).re().is_finite() && step.coefficient(0).im().is_finite();
   });
   if (!is_analytic) return unknown_vector(length);
-  return {all[components_[0]], all[components_[1]], all[components_[2]]};
-}
-
-ExactVector exact_derivative(const ExpressionCurve& curve, std::size_t order, const Rational& t,
-                             FormulaProgram& program) {
-  const FormulaId s = parameter_step(curve, t, program);
-  ExactVector value{};
-  for (std::size_t k = 0; k < 3; ++k) value[k] = program.insert(curve.derivative(order)[k], s);
-  return value;
-}
-
-ExactVector exact_point(const ExpressionCurve& curve, const Rational& t, FormulaProgram& program) {
-  return exact_derivative(curve, 0, t, program);
-}
-
-ExactVector exact_direction(const ExpressionCurve& curve, const Rational& t,
-                            FormulaProgram& program) {
-  ExactVector slope = exact_derivative(curve, 1, t, program);
-  if (curve.orientation() * direction_of_parameter(curve) < 0)
-    for (FormulaId& x : slope) x = program.negative(x);
-  return slope;
+  return {all[components()[0]], all[components()[1]], all[components()[2]]};
 }
 
 int direction_of_parameter(const ExpressionCurve& curve) {
   const RealBall a = constant_value(curve.from(), end_bits);
   return is_less(a, constant_value(curve.to(), end_bits)) ? 1 : -1;
-}
-
-std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
-                              const ExactVector& b, long most_bits) {
-  if (a == b) return true;
-  const auto p = exact_vector(program, a);
-  const auto q = exact_vector(program, b);
-  if (p && q) return p == q;
-  for (long bits = 128; bits <= most_bits; bits *= 2) {
-    const Vector<RealBall> x = values(program, a, bits);
-    const Vector<RealBall> y = values(program, b, bits);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!x[k].overlaps(y[k])) return false;
-  }
-  return std::nullopt;
-}
-
-std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
-                                        const ExactVector& b, long most_bits) {
-  if (a == b) return true;
-  const auto p = surd_direction(program, a);
-  const auto q = surd_direction(program, b);
-  if (p && q) return is_positive_multiple(*p, *q);
-  for (long bits = 128; bits <= most_bits; bits *= 2) {
-    const Vector<RealBall> x = values(program, a, bits);
-    const Vector<RealBall> y = values(program, b, bits);
-    if (are_apart(x, y, bits) || sign(dot_product(x, y, bits)) < 0) return false;
-  }
-  return std::nullopt;
 }
 
 }  // namespace phrame

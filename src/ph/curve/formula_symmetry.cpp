@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "phrame/ph/curve/formula_program.hpp"
+
 namespace phrame {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
 

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/shared.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -54,7 +57,7 @@ Vector<Real> with_sign(int sign, const Vector<Real>& v) {
 }  // namespace
 
 Place::Place(std::size_t on_segment, const RealAlgebraic& at) : Place(on_segment, to_real(at)) {
-  if (!t.exact()) algebraic.emplace(at);
+  if (!t.exact()) algebraic = std::make_shared<const AlgebraicPoint>(at);
 }
 
 Place end_of(const Path& path) { return {path.segments().size() - 1, Rational(1)}; }

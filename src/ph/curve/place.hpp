@@ -1,17 +1,20 @@
 #pragma once
-#include "phrame/algebra/algebraic_point.hpp"
+#include <memory>
+
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/curve/real_vector.hpp"
 
 namespace phrame {
+
+class AlgebraicPoint;
 
 /// A point of a path, at any real parameter of a segment, as arc length gives them.
 struct Place {
   std::size_t segment;  ///< 0, 1, …
   Real t;               ///< in [0, 1]; of a PH curve by itself it may be any
   /// t again where it is irrational and known to be algebraic: values are then exact where they are
-  /// rational.
-  std::optional<AlgebraicPoint> algebraic = std::nullopt;
+  /// rational. Else null.
+  std::shared_ptr<const AlgebraicPoint> algebraic = nullptr;
 
   /// @{ On that segment, t of it.
   Place(std::size_t on_segment, Real at) : segment(on_segment), t(std::move(at)) {}
@@ -23,8 +26,8 @@ struct Place {
       : Place(at.segment, at.t) {}
 };
 
-/// Where the parameter that the file of the path has is x. Throws DomainError where it has none, and
-/// for an x outside of what it goes through.
+/// Where the parameter that the file of the path has is x. Throws DomainError where it has none,
+/// and for an x outside of what it goes through.
 Place native_place(const NamedPath& named, const Rational& x);
 
 /// The last point of the path.

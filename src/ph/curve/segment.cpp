@@ -1,22 +1,34 @@
 #include "phrame/ph/curve/segment.hpp"
 
+#include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
 
+struct PhSegment::State {
+  Curve curve;
+  Lazy<RationalCurve> by_positions{};
+  Lazy<QuaternionPolynomial> primitive{};
+  Lazy<GaussianPolynomial> bend{};
+};
+
+PhSegment::PhSegment(Curve curve) : state_(new State{std::move(curve)}) {}
+
+const Curve& PhSegment::curve() const { return state_->curve; }
+
 const RationalCurve& PhSegment::by_positions() const {
-  return by_positions_.get([this] {
+  return state_->by_positions.get([this] {
     const RationalCurve curve(position(this->curve()));
     return sign_after_zero(this->curve().multiplier()) < 0 ? curve.turned_over() : curve;
   });
 }
 
 const QuaternionPolynomial& PhSegment::primitive_preimage() const {
-  return primitive_.get([this] { return without_real_content(curve().preimage()); });
+  return state_->primitive.get([this] { return without_real_content(curve().preimage()); });
 }
 
 const GaussianPolynomial& PhSegment::bend() const {
-  return bend_.get([this] { return bend_numerator(primitive_preimage()); });
+  return state_->bend.get([this] { return bend_numerator(primitive_preimage()); });
 }
 
 const Curve* ph_curve(const Segment& segment) {

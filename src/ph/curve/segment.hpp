@@ -1,7 +1,7 @@
 #pragma once
+#include <memory>
 #include <variant>
 
-#include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/curve.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 #include "phrame/ph/curve/rational_curve.hpp"
@@ -13,9 +13,9 @@ namespace phrame {
 class PhSegment {
  public:
   /// That curve, on [0, 1].
-  explicit PhSegment(Curve curve) : curve_(std::make_shared<const Curve>(std::move(curve))) {}
+  explicit PhSegment(Curve curve);
 
-  const Curve& curve() const { return *curve_; }  ///< the curve
+  const Curve& curve() const;  ///< the curve
   /// The same by its positions: H is along A i A*, p has the sign of f. Cost: that of r and of the
   /// greatest common divisor of r′, in the first call.
   const RationalCurve& by_positions() const;
@@ -30,10 +30,9 @@ class PhSegment {
   friend bool operator==(const PhSegment& a, const PhSegment& b) { return a.curve() == b.curve(); }
 
  private:
-  std::shared_ptr<const Curve> curve_;
-  Lazy<RationalCurve> by_positions_;
-  Lazy<QuaternionPolynomial> primitive_;
-  Lazy<GaussianPolynomial> bend_;
+  struct State;
+
+  std::shared_ptr<const State> state_;
 };
 
 /// A segment of a path of curves of any kind, on [0, 1].

@@ -9,6 +9,7 @@
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/curve/crossings.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 

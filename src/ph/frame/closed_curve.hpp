@@ -1,9 +1,10 @@
 #pragma once
 #include "phrame/algebra/real.hpp"
-#include "phrame/ph/curve/crossings.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
+
+struct CurveSeries;
 
 /// A closed regular curve, which may have corners, with the frame of a vector v, e₂ = v × e₁/|v ×
 /// e₁|, which closes with it. From these come all that does not depend on v [Călugăreanu 1961;

@@ -1,32 +1,21 @@
 #pragma once
-#include "phrame/algebra/piecewise_polynomial.hpp"
+#include <functional>
+#include <memory>
+#include <optional>
+
 #include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
 
-/// θ + start_angle on [from, to] as Taylor polynomials; shape.width = 1. Each is proved afterwards,
-/// whatever it was found by: with θ′ = n/d and a polynomial p, all of p′·d − n is known, so that on
-/// the piece
-///   |p − θ| ≤ |p(center) − θ(center)| + ∫|p′·d − n|/min d.
-/// Throws as PiecewisePolynomial does: Undecided where a pole of θ′ is nearer to [from, to] than
-/// doubles are to each other there. Cost: some 10 to 1000 values of θ, more near a near-cusp.
-PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& start_angle,
-                                   double from, double to, const DoubleShape& shape);
-
-/// The same along a path, on [0, end]; where θ′ has a square root, by a polynomial near it
-/// (angle_piece), of formulas formula_piece.
-PiecewisePolynomial compiled_angle(const PathAngle& angle, const StartAngle& start_angle,
-                                   const DoubleShape& shape);
-/// The same of its segment k, on [k, k + 1].
-PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
-                                   const StartAngle& start_angle, const DoubleShape& shape);
+class PiecewisePolynomial;
 
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.
 /// Not for concurrent use: it counts the latter.
 class CompiledAngle {
  public:
-  /// θ with θ(0) = start_angle. Throws as compiled_angle.
+  /// θ with θ(0) = start_angle. Throws Undecided where a pole of θ′ is nearer to
+  /// [from, to] than doubles are to each other there.
   CompiledAngle(const RmfAngle& angle, double from, double to, const FrameAngle& start_angle = {});
   /// The same along a path, on [0, end].
   explicit CompiledAngle(const PathAngle& angle, const StartAngle& start_angle = {});
@@ -45,7 +34,7 @@ class CompiledAngle {
 
  private:
   std::function<Real(const Rational&)> angle_;  ///< start_angle included
-  PiecewisePolynomial polynomials_;
+  std::shared_ptr<const PiecewisePolynomial> polynomials_;
   long exact_values_ = 0;
 };
 

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "phrame/algebra/ball_powers.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
-#include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/compiled_frame_rotation.hpp"
+#include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
@@ -120,9 +120,9 @@ CompiledFrames::CompiledFrames(const Curve& curve, Reference reference, double f
                      frame_zeros(curve, reference)) {}
 
 CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros)
-    : polynomials_(std::move(polynomials)), zeros_(zeros) {
+    : polynomials_(shared(std::move(polynomials))), zeros_(zeros) {
   // Far more than the operations on pairs of doubles are off by, and than rounding leaves.
-  for (const PolynomialPiece& piece : polynomials_.pieces())
+  for (const PolynomialPiece& piece : polynomials_->pieces())
     if (!(frame_error(piece.error) <= 0x1p-60))
       throw Undecided("compiled frames: the polynomials are not exact enough");
 }
@@ -156,12 +156,16 @@ CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const StartA
   return all;
 }
 
+double CompiledFrames::from() const { return polynomials_->from(); }
+
+double CompiledFrames::to() const { return polynomials_->to(); }
+
 CompiledFrames::Rotation CompiledFrames::rotation(double t) const {
-  polynomials_.require_inside(t, "compiled frames");
+  polynomials_->require_inside(t, "compiled frames");
   return rounding_to_nearest([&] {
-    const PolynomialPiece& piece = polynomials_.at(t);
+    const PolynomialPiece& piece = polynomials_->at(t);
     const auto [u, v, p, q] =
-        evaluate_compensated<4>(piece.coefficients.data(), polynomials_.shape(), piece.y(t));
+        evaluate_compensated<4>(piece.coefficients.data(), polynomials_->shape(), piece.y(t));
     return Rotation{{u, v, p, q}, piece.error};
   });
 }
@@ -199,55 +203,6 @@ std::optional<Frame<double>> CompiledFrames::near_frame(const Rotation& at) cons
                             rounded(rotated_k(b), zeros_[2])};
   if (!is_certain) return std::nullopt;
   return frame;
-}
-
-RoundedFrames::RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
-                             const FrameAngle& start_angle)
-    : polynomials_(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4))),
-      exact_(curve),
-      angle_(angle),
-      start_angle_(start_angle) {}
-
-/// No value where no piece is at t.
-std::optional<Frame<RealBall>> RoundedFrames::enclose(const Rational& t) {
-  const double near = round_to_double(t);
-  if (!(polynomials_.from() <= near && near <= polynomials_.to())) return std::nullopt;
-  const PolynomialPiece& piece = polynomials_.at(near);
-  const Rational y = (t - exact_rational(piece.center)) * exact_rational(piece.scale);
-  if (abs(y) > 1) return std::nullopt;
-  const auto number = static_cast<std::size_t>(&piece - polynomials_.pieces().data());
-  if (last_ != number)
-    for (std::size_t k = 0; k < 4; ++k)
-      of_last_[k] =
-          exact_polynomial(piece.coefficients, polynomials_.shape(), static_cast<long>(k));
-  last_ = number;
-
-  const BallPowers powers(RealBall(y, frame_bits), polynomials_.shape().degree + 1, frame_bits);
-  using Ball = RingBall<frame_bits>;
-  const auto component = [&](std::size_t k) {
-    return Ball{widened(powers.value_of(of_last_[k]), piece.error)};
-  };
-  const Quaternion<Ball> b{component(0), component(1), component(2), component(3)};
-  const auto balls = [](const Vector<Ball>& v) { return Vector<RealBall>{v[0].x, v[1].x, v[2].x}; };
-  return Frame<RealBall>{balls(rotated_i(b)), balls(rotated_j(b)), balls(rotated_k(b))};
-}
-
-Frame<double> RoundedFrames::at(const Rational& t) {
-  const auto enclosed = enclose(t);
-  std::optional<Frame<Real>> exact;  // made for the first component that needs it
-  const auto rounded = [&](Vector<RealBall> Frame<RealBall>::*near,
-                           Vector<Real> Frame<Real>::*far) {
-    Vector<double> v{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto common = enclosed ? common_double(((*enclosed).*near)[k]) : std::nullopt;
-      if (!common && !exact) exact = exact_.rotation_minimizing(angle_, t, start_angle_);
-      v[k] = common ? *common : round_to_double(((*exact).*far)[k]);
-    }
-    return v;
-  };
-  return {rounded(&Frame<RealBall>::e1, &Frame<Real>::e1),
-          rounded(&Frame<RealBall>::e2, &Frame<Real>::e2),
-          rounded(&Frame<RealBall>::e3, &Frame<Real>::e3)};
 }
 
 }  // namespace phrame

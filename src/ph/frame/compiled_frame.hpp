@@ -1,9 +1,12 @@
 #pragma once
-#include "phrame/algebra/error_free.hpp"
-#include "phrame/ph/frame/compiled_rotation.hpp"
+#include <memory>
+
+#include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
+
+class PiecewisePolynomial;
 
 /// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
@@ -35,16 +38,12 @@ class CompiledFrames {
   /// or nearly so. Those that are 0 everywhere, as on plane curves, are known. Throws as above.
   std::optional<Frame<double>> rounded(double t) const;
 
-  /// B at t as sums of two doubles, off by at most the error, in the Euclidean norm. Throws as
-  /// above.
-  struct Rotation {
-    Quaternion<DoubleDouble> b;  ///< B, a unit quaternion
-    double error;                ///< of all components together
-  };
-  Rotation rotation(double t) const;  ///< that at t
+  struct Rotation;  // ph/frame/compiled_frame_rotation.hpp
+  /// The unit quaternion that the frame at t is made of. Throws as above.
+  Rotation rotation(double t) const;
 
-  double from() const { return polynomials_.from(); }  ///< where they begin
-  double to() const { return polynomials_.to(); }      ///< where they end
+  double from() const;  ///< where they begin
+  double to() const;    ///< where they end
 
  private:
   /// What rounded() gives there.
@@ -53,32 +52,8 @@ class CompiledFrames {
   static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, const StartAngle& start_angle);
 
-  PiecewisePolynomial polynomials_;
+  std::shared_ptr<const PiecewisePolynomial> polynomials_;
   Zeros zeros_;
-};
-
-/// Correctly rounded rotation-minimizing frames at thousands of rational t, best in ascending
-/// order: by the same polynomials where they are enough to round a component, else exactly. Not for
-/// concurrent use: it keeps the last piece.
-class RoundedFrames {
- public:
-  /// `angle` is that of this curve relative to the ERF, start_angle that of the frame at t = 0.
-  /// Throws as compiled_rotation does.
-  RoundedFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
-                const FrameAngle& start_angle = {});
-
-  /// The frame at t, in [from, to] or not. Throws as round_to_double does.
-  Frame<double> at(const Rational& t);
-
- private:
-  std::optional<Frame<RealBall>> enclose(const Rational& t);
-
-  PiecewisePolynomial polynomials_;
-  std::optional<std::size_t> last_;  ///< the number of the piece whose polynomials, exactly, are:
-  std::array<BallPolynomial, 4> of_last_;
-  Frames exact_;
-  RmfAngle angle_;
-  FrameAngle start_angle_;
 };
 
 }  // namespace phrame

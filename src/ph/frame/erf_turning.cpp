@@ -2,6 +2,7 @@
 
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 

@@ -1,5 +1,8 @@
 #pragma once
-#include "phrame/ph/curve/special_points.hpp"
+#include <vector>
+
+#include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
 

@@ -5,6 +5,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 

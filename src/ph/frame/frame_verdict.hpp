@@ -5,7 +5,7 @@
 
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/real.hpp"
-#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
 

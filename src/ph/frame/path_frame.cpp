@@ -1,8 +1,10 @@
 #include "phrame/ph/frame/path_frame.hpp"
 
 #include "phrame/algebra/algebraic_angle.hpp"
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -57,7 +59,7 @@ Vector<Real> quotient_at(const Vector<Polynomial>& v, const Polynomial& sigma, c
 /// function N²/(σ²|g|²) with the sign of N.
 Frame<Real> algebraic_frenet_frame(const QuaternionPolynomial& a, const GaussianPolynomial& g,
                                    const Place& at) {
-  const AlgebraicPoint& t = at.algebraic.value();
+  const AlgebraicPoint& t = *at.algebraic;
   require_bend(g);
   const Polynomial size = norm(g);
   if (sign_at(size, t.number()) == 0)

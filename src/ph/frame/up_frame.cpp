@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {

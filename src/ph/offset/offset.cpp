@@ -11,6 +11,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/offset/offset_join.hpp"
 
 namespace phrame {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/path.hpp"
-#include "phrame/ph/offset/offset_join.hpp"
 
 namespace phrame {
 
@@ -13,6 +12,13 @@ namespace phrame {
 /// and that is to the left: the offset is one curve through such cusps, as the frames are [Farouki,
 /// Sakkalis 1990]. Throws DomainError for d = 0 and a curve in no plane z = const.
 RationalCurve offset(const Curve& curve, const Rational& d);
+
+/// What joins the offsets of what meets at a corner, on its outer side.
+enum class OffsetJoin {
+  round,  ///< an arc about the corner
+  mitre,  ///< the tangents, up to where they meet
+  open    ///< nothing
+};
 
 /// A part of the offset of a path.
 struct OffsetPiece {

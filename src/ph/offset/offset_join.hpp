@@ -1,17 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "phrame/ph/curve/rational_curve.hpp"
+#include "phrame/ph/offset/offset.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
 namespace phrame {
-
-/// What joins the offsets of what meets at a corner, on its outer side.
-enum class OffsetJoin {
-  round,  ///< an arc about the corner
-  mitre,  ///< the tangents, up to where they meet
-  open    ///< nothing
-};
 
 /// A corner of a plane path, seen along e₁.
 struct PlaneCorner {

@@ -4,6 +4,7 @@
 // is p·(X × H)/W³ dt.
 #include "phrame/ph/offset/offset_measure.hpp"
 
+#include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/special_points.hpp"

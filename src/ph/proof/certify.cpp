@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
 
 namespace phrame {
 namespace {

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 namespace {

@@ -2,7 +2,6 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/shape.hpp"
-#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 

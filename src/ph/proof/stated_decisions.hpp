@@ -1,9 +1,9 @@
 #pragma once
-#include <string>
+#include <optional>
 #include <vector>
 
-#include "phrame/ph/proof/classify.hpp"
-#include "phrame/ph/proof/statement.hpp"
+#include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 
 namespace phrame {
 
@@ -44,15 +44,5 @@ struct StatedDecisions {
   /// @}
   friend bool operator==(const StatedDecisions&, const StatedDecisions&) = default;
 };
-
-/// As a certificate has them.
-StatedDecisions stated(const Classification& c);
-
-/// No objection where it holds.
-inline std::string unless(bool holds, const char* objection) { return holds ? "" : objection; }
-
-/// Decides each by classifying the curve; a witness is checked by its identity, and may be another
-/// one than `classify` finds.
-std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& curve);
 
 }  // namespace phrame

@@ -3,8 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "phrame/algebra/argument.hpp"
-#include "phrame/algebra/rational.hpp"
+#include "phrame/algebra/sturm.hpp"
 
 namespace phrame {
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
 
 namespace phrame {
 namespace {

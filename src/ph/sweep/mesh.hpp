@@ -15,6 +15,9 @@ struct Mesh {
   Vector<Rational> origin = {};                         ///< from which the coordinates are
 };
 
+/// What the coordinates of a file are.
+enum class Coordinates { doubles, floats };
+
 /// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?
 /// Decided by the numbers of the points, each below that of all. Cost: linear, as sides from one
 /// point are few.

@@ -3,9 +3,6 @@
 
 namespace phrame {
 
-/// What the coordinates of a file are.
-enum class Coordinates { doubles, floats };
-
 /// A mesh with coordinates that are floats, and how far its points are from those it was made of.
 struct MeshInFloats {
   Mesh mesh;

@@ -2,9 +2,11 @@
 #include <optional>
 
 #include "phrame/ph/sweep/mesh.hpp"
-#include "phrame/ph/sweep/sweep_form.hpp"
 
 namespace phrame {
+
+struct SweepPath;
+struct SweepForm;
 
 /// The mesh of the body that r + λ·(x f₂ + y f₃) bounds, (f₂, f₃) turned as the form says, with
 /// caps where the path is not closed.

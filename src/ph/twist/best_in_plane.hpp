@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/ph/twist/wronskian_planes.hpp"
 
 namespace phrame {
@@ -14,6 +15,14 @@ namespace phrame {
 // At the least one Q − λK is positive definite, and where it is, x is the least one: with L = J −
 // λ(xᵀKx − 1), which is convex then, J(y) = L(y) ≥ L(x) = J(x) for all y with yᵀKy = 1. On the set
 // of such λ, an interval around 0, xᵀKx increases, so that there is one such λ at most.
+
+/// A basis a, b in powers of t.
+struct PlaneBasis {
+  BallPolynomial a;  ///< a
+  BallPolynomial b;  ///< b
+};
+/// That in normal form.
+PlaneBasis enclose(const WronskianPlane& plane, const Rational& origin, long bits);
 
 /// A critical point of J.
 struct CriticalPair {

@@ -4,6 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/formula_symmetry.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 
 namespace phrame {
 namespace {

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/shared.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/twist/rotation_family.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
+#include "phrame/ph/twist/twist_minimum.hpp"
 #include "phrame/ph/twist/twist_search.hpp"
 
 namespace phrame {
@@ -125,46 +130,57 @@ BestTwist no_turn(const TwistPiece& piece) { return {{piece, 1, EndRates::free, 
 
 }  // namespace
 
+struct RationalTwist::State {
+  TwistPiece piece;
+  long degree;
+  EndRates rates;
+  std::vector<Rational> parameters;
+  double mean_square_guess;  ///< 0: none
+  mutable std::mutex lock{};
+  mutable std::map<long, Rotation> rotations{};  ///< by bits
+  Refined<SignChanges> inflections{};
+  Refined<RealBall> root_mean_square{};
+
+  RotationFamily family(long bits) const { return rotation_family(piece, degree, rates, bits); }
+};
+
 RationalTwist::RationalTwist(TwistPiece piece, long degree, EndRates rates,
                              std::vector<Rational> parameters, double mean_square_guess)
-    : piece_(std::move(piece)),
-      degree_(degree),
-      rates_(rates),
-      parameters_(std::move(parameters)),
-      mean_square_guess_(mean_square_guess),
-      rotations_(std::make_shared<Rotations>()) {}
+    : state_(new State{std::move(piece), degree, rates, std::move(parameters), mean_square_guess}) {
+}
+
+const TwistPiece& RationalTwist::piece() const { return state_->piece; }
+
+long RationalTwist::degree() const { return state_->degree; }
 
 const Rotation& RationalTwist::rotation(long bits) const {
-  const std::lock_guard lock(rotations_->lock);
-  std::map<long, Rotation>& rotations = rotations_->by_bits;
-  const auto known = rotations.find(bits);
-  if (known != rotations.end()) return known->second;
-  const RotationFamily family = rotation_family(piece_, degree_, rates_, bits);
-  return rotations.emplace(bits, member(family, parameters_, bits)).first->second;
+  const std::lock_guard lock(state_->lock);
+  const auto known = state_->rotations.find(bits);
+  if (known != state_->rotations.end()) return known->second;
+  return state_->rotations.emplace(bits, member(state_->family(bits), state_->parameters, bits))
+      .first->second;
 }
 
 Real RationalTwist::end_factor() const {
   return Real([twist = *this](long bits) {
-    const RotationFamily family =
-        rotation_family(twist.piece_, twist.degree_, twist.rates_, bits + 64);
-    return phrame::end_factor(family, twist.parameters_, bits + 64);
+    return phrame::end_factor(twist.state_->family(bits + 64), twist.state_->parameters, bits + 64);
   });
 }
 
 Rational RationalTwist::end_factor_change(const Rational& radius) const {
-  const RealBall slope = rotation_family(piece_, degree_, rates_, 64).end_factor.back();
+  const RealBall slope = state_->family(64).end_factor.back();
   return absolute(slope).upper() * radius;
 }
 
 std::vector<std::pair<Real, Real>> RationalTwist::coefficients() const {
   std::vector<std::pair<Real, Real>> w;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree_); ++k) {
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree()); ++k) {
     const auto coefficient = [twist = *this, k](long bits) {
       const long precision = bits + 64;
-      const RealBall half = multiply(twist.piece_.start.enclose(precision),
+      const RealBall half = multiply(twist.piece().start.enclose(precision),
                                      RealBall(Rational(1, 2), precision), precision);
       const auto [cosine, sine] = cos_sin(half, precision);
-      const auto all = to_bernstein(twist.rotation(precision), twist.degree_, precision);
+      const auto all = to_bernstein(twist.rotation(precision), twist.degree(), precision);
       return multiply(all[k], {cosine, sine}, precision);
     };
     w.emplace_back(Real([coefficient](long bits) { return coefficient(bits).re(); }),
@@ -177,25 +193,25 @@ Integer RationalTwist::extra_turns() const {
   constexpr long bits = 128;
   const auto turned = turn(rotation(bits), 0, 1, bits);
   if (!turned) throw Undecided("a rotation may have a zero");
-  const RealBall extra =
-      divide(subtract(*turned, piece_.turn.enclose(bits), bits), whole_turn(1).enclose(bits), bits);
+  const RealBall extra = divide(subtract(*turned, piece().turn.enclose(bits), bits),
+                                whole_turn(1).enclose(bits), bits);
   if (const auto turns = unique_integer(extra)) return *turns;
   throw Undecided("the turn of a rotation is not known well enough");
 }
 
 Real RationalTwist::root_mean_square() const {
   return Real([twist = *this](long bits) {
-    return *twist.root_mean_square_.get(bits, [&](const RealBall*) {
+    return *twist.state_->root_mean_square.get(bits, [&](const RealBall*) {
       // √(G ± ε) is √G ± ε/(2√G), and at worst ±√ε.
       constexpr long guard = 24;  // not seen in the bounds of rounded numbers
-      const double guess = twist.mean_square_guess_;
+      const double guess = twist.state_->mean_square_guess;
       const bool is_guessed = guess > 0 && std::isfinite(guess);
       const long smallness = is_guessed ? std::max(0, 1 - std::ilogb(guess) / 2) : bits;
       const Rational wanted = power_of_two(-bits);
       RealBall root;
       for (const long precision : {std::min(2 * bits, bits + guard + smallness), 2 * bits}) {
-        const Rotation& w = twist.rotation(working_precision(twist.piece_, precision));
-        root = sqrt_of_nonnegative(mean_square(twist.piece_, w, precision), bits + 64);
+        const Rotation& w = twist.rotation(working_precision(twist.piece(), precision));
+        root = sqrt_of_nonnegative(mean_square(twist.piece(), w, precision), bits + 64);
         if (root.is_finite() && root.radius() <= wanted) break;
       }
       return root;
@@ -205,17 +221,17 @@ Real RationalTwist::root_mean_square() const {
 
 Real RationalTwist::greatest_error() const {
   return Real([twist = *this](long bits) {
-    const long precision = working_precision(twist.piece_, bits);
-    return phrame::greatest_error(twist.piece_, twist.rotation(precision), bits);
+    const long precision = working_precision(twist.piece(), bits);
+    return phrame::greatest_error(twist.piece(), twist.rotation(precision), bits);
   });
 }
 
 SignChanges RationalTwist::inflections(long bits) const {
-  return *inflections_.get(bits, [&](const SignChanges*) {
+  return *state_->inflections.get(bits, [&](const SignChanges*) {
     SignChanges found;
     for (long factor = 1; factor <= 4; factor *= 2) {
-      const long precision = working_precision(piece_, factor * bits);
-      found = sign_changes(turn_numerator(piece_, rotation(precision), precision), factor * bits);
+      const long precision = working_precision(piece(), factor * bits);
+      found = sign_changes(turn_numerator(piece(), rotation(precision), precision), factor * bits);
       if (found.is_complete()) break;
     }
     return found;
@@ -223,17 +239,17 @@ SignChanges RationalTwist::inflections(long bits) const {
 }
 
 int RationalTwist::sign_of_rate(const Rational& tau) const {
-  const long precision = working_precision(piece_, 64);
-  const RealBall rate = evaluate(turn_numerator(piece_, rotation(precision), precision),
+  const long precision = working_precision(piece(), 64);
+  const RealBall rate = evaluate(turn_numerator(piece(), rotation(precision), precision),
                                  RealBall(tau, precision), precision);
   return sign(rate);
 }
 
 Real RationalTwist::value(const Real& tau) const {
-  if (tau.exact() == Rational(0)) return piece_.start;
+  if (tau.exact() == Rational(0)) return piece().start;
   // To a rational number close to τ, and on from there by a principal argument.
   const Rational near = tau.exact() ? *tau.exact() : tau.enclose(32).lower();
-  return piece_.start + Real([twist = *this, tau, near](long bits) {
+  return piece().start + Real([twist = *this, tau, near](long bits) {
            const long precision = bits + 64;
            const Rotation& w = twist.rotation(precision);
            const auto at = [&](const RealBall& x) {

@@ -1,26 +1,28 @@
 #pragma once
-#include <map>
 #include <memory>
-#include <mutex>
 
-#include "phrame/algebra/shared.hpp"
-#include "phrame/ph/twist/rotation_family.hpp"
-#include "phrame/ph/twist/twist_minimum.hpp"
+#include "phrame/ph/twist/twist_piece.hpp"
 
 namespace phrame {
 
+struct Rotation;
+struct SignChanges;
+
 /// A rational frame along a piece: the Euler–Rodrigues frame turned by θ(τ) = θ(0) + 2·arg w(τ),
 /// with w of degree n, so that f₂, f₃ are rational of degree 2m + 2n where the preimage has degree
-/// m. Copies share what has been computed; any thread may ask them.
+/// m. Copies share what has been computed; any thread may ask them. To move one is to copy it.
 class RationalTwist {
  public:
   /// The member of a family with these parameters. A guess of its mean square, where there is one,
   /// saves precision.
   RationalTwist(TwistPiece piece, long degree, EndRates rates, std::vector<Rational> parameters,
                 double mean_square_guess = 0);
+  RationalTwist(const RationalTwist&) = default;
+  RationalTwist& operator=(const RationalTwist&) = default;
+  ~RationalTwist() = default;
 
-  const TwistPiece& piece() const { return piece_; }  ///< along which it is
-  long degree() const { return degree_; }             ///< n
+  const TwistPiece& piece() const;  ///< along which it is
+  long degree() const;              ///< n
 
   /// w, with w(0) = 1.
   const Rotation& rotation(long bits) const;
@@ -47,24 +49,23 @@ class RationalTwist {
   Real value(const Real& tau) const;
 
  private:
-  TwistPiece piece_;
-  long degree_;
-  EndRates rates_;
-  std::vector<Rational> parameters_;
-  double mean_square_guess_;  ///< 0: none
-  struct Rotations {
-    std::mutex lock;
-    std::map<long, Rotation> by_bits;
-  };
-  std::shared_ptr<Rotations> rotations_;
-  Refined<SignChanges> inflections_;
-  Refined<RealBall> root_mean_square_;
+  struct State;
+
+  std::shared_ptr<const State> state_;
 };
 
 /// The quadratic w with matched rates whose γ is this one, up to 2^−100 of its size: not the best
 /// one. Throws DomainError for γ = 0, where w would have a zero at the end, and where the rates fix
 /// γ or Δθ ∈ 2πℤ (rotation_family()); Undecided where 8192 bits are too few, as for γ = 10^−3000.
 RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma);
+
+/// The member of a family with one parameter that has the least mean square G, proved: it is the
+/// only one and within `radius` of this parameter.
+struct TwistMinimum {
+  Rational parameter;      ///< p₁ of the RotationFamily
+  Rational radius;         ///< > 0
+  bool is_for_both_signs;  ///< of γ; else among those with its sign
+};
 
 /// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
 /// it is the one whose frame turns by T, and the better one if that is both or neither.

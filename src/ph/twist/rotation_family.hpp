@@ -4,12 +4,6 @@
 
 namespace phrame {
 
-/// What the rational rotations of a piece have to meet beside the orientations at its ends.
-enum class EndRates {
-  matched,  ///< the rate of the exact frame at both ends: joints then have a continuous rate
-  free,
-};
-
 /// w(τ) = a(τ) + i·b(τ), which turns by θ = 2·arg w [Farouki, Moon 2018, (29)].
 struct Rotation {
   BallPolynomial a;  ///< Re w

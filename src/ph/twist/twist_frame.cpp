@@ -4,8 +4,11 @@
 #include <iterator>
 
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
 namespace phrame {

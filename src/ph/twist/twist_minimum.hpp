@@ -1,15 +1,8 @@
 #pragma once
+#include "phrame/ph/twist/rational_twist.hpp"
 #include "phrame/ph/twist/twist_search.hpp"
 
 namespace phrame {
-
-/// The member of a family with one parameter that has the least mean square G, proved: it is the
-/// only one and within `radius` of this parameter.
-struct TwistMinimum {
-  Rational parameter;      ///< p₁ of the RotationFamily
-  Rational radius;         ///< > 0
-  bool is_for_both_signs;  ///< of γ; else among those with its sign
-};
 
 /// From a guess, and one for the other sign of γ if that is to be looked at. The radius is about
 /// 2^−goal, where w(1/2) moves by its own length per unit, or less. Throws Undecided where this is

@@ -5,6 +5,12 @@
 
 namespace phrame {
 
+/// What the rational rotations of a piece have to meet beside the orientations at its ends.
+enum class EndRates {
+  matched,  ///< the rate of the exact frame at both ends: joints then have a continuous rate
+  free,
+};
+
 /// A piece of a curve and the turn that a frame is to make along it, with a parameter τ ∈ [0, 1] of
 /// its own. A frame that is the Euler–Rodrigues frame turned by θ(τ) about e₁ turns about e₁ by
 ///   2h/σ + θ′ = erf_rate + θ′  per unit of τ,

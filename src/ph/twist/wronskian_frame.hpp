@@ -5,20 +5,6 @@
 
 namespace phrame {
 
-/// A pair of polynomials over ℚ next to the best one. The Euler–Rodrigues frame turned by
-/// 2·arg(b + ia) is a rational frame, and ab′ − a′b = 2hσ + defect·(t − origin)²ⁿ⁻², or, with a
-/// common zero z, 2hσ + defect·(t − z)²(t − origin)²ⁿ⁻⁴.
-struct RationalPair {
-  Rational parameter;  ///< of the plane
-  /// @{ a = −b₀/g, b = g·a₀ + q·b₀ by the basis a₀, b₀ in normal form at that parameter.
-  Rational g;
-  Rational q;
-  Polynomial a;
-  Polynomial b;
-  /// @}
-  Rational defect;  ///< 0 where (24) is solved exactly, as only a rational parameter can
-};
-
 /// The rational frame of [Peng, Pang, Pan 2023]: the Euler–Rodrigues frame of a curve turned by
 /// 2·arg(b + ia), where a and b are polynomials of degree ≤ 2m for a preimage of degree m, with
 ///   ab′ − a′b = 2hσ (12), (24)  and  J = ∫₀¹ ρ(a² + b² − 2σ²)² dt (13) as small as possible:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error.hpp"
 
 namespace phrame {

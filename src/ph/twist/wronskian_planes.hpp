@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 
 namespace phrame {
@@ -38,12 +38,18 @@ struct WronskianPlanes {
 /// than 2n − 2.
 WronskianPlanes wronskian_planes(const Polynomial& wronskian, long n);
 
-/// A basis a, b in powers of t.
-struct PlaneBasis {
-  BallPolynomial a;  ///< a
-  BallPolynomial b;  ///< b
+/// A pair of polynomials over ℚ next to the best one. The Euler–Rodrigues frame turned by
+/// 2·arg(b + ia) is a rational frame, and ab′ − a′b = 2hσ + defect·(t − origin)²ⁿ⁻², or, with a
+/// common zero z, 2hσ + defect·(t − z)²(t − origin)²ⁿ⁻⁴.
+struct RationalPair {
+  Rational parameter;  ///< of the plane
+  /// @{ a = −b₀/g, b = g·a₀ + q·b₀ by the basis a₀, b₀ in normal form at that parameter.
+  Rational g;
+  Rational q;
+  Polynomial a;
+  Polynomial b;
+  /// @}
+  Rational defect;  ///< 0 where (24) is solved exactly, as only a rational parameter can
 };
-/// That in normal form.
-PlaneBasis enclose(const WronskianPlane& plane, const Rational& origin, long bits);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/integrate/endpoint.hpp"
 
 namespace endpoint_test {
 

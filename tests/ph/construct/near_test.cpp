@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"

@@ -7,6 +7,7 @@
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"

@@ -1,6 +1,8 @@
 #include "phrame/ph/curve/expression_curve.hpp"
 
+#include "phrame/algebra/ball.hpp"
 #include "phrame/io/read/formula.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "support/expression_curves.hpp"
 
 using namespace phrame;

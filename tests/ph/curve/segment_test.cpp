@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"

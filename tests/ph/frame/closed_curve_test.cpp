@@ -5,6 +5,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
+#include "phrame/ph/curve/curve_series.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"

@@ -1,6 +1,7 @@
 #include "phrame/ph/proof/classify.hpp"
 
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "support/curves.hpp"
 #include "support/random.hpp"
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "io/reference.hpp"
+#include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/write/certificate.hpp"
+#include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "support/random.hpp"
 

@@ -5,6 +5,7 @@
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/farouki_moon.hpp"

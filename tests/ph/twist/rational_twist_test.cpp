@@ -8,9 +8,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
+#include "phrame/ph/twist/twist_minimum.hpp"
 #include "support/curves.hpp"
 #include "support/data.hpp"
 #include "support/farouki_moon.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/rounding.hpp"

@@ -1,4 +1,4 @@
-#include "phrame/ph/proof/stated_decisions.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
 
 #include "phrame/algebra/error.hpp"
 
