@@ -7,7 +7,7 @@ function(phrame_public_headers source_dir result)
   set(todo phrame.hpp fwd.hpp algebra/multiprecision.hpp)
   while(todo)
     list(POP_FRONT todo file)
-    if(file IN_LIST reached OR file STREQUAL version.hpp)
+    if(file IN_LIST reached OR file MATCHES "^(version|export)\\.hpp$")  # which CMake writes
       continue()
     endif()
     list(APPEND reached ${file})

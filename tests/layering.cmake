@@ -5,8 +5,8 @@
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and only it has #if;
 #   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency;
-#   - of the library python/src includes what src/phrame.hpp reaches and nothing else, by that header, but for its
-#     ask.cpp, which asks what the program is asked, by cli/ask.hpp;
+#   - of the library python/src includes what src/phrame.hpp reaches, by that header, and of the insides what its
+#     insides.hpp lists, but for its ask.cpp, which asks what the program is asked, by cli/ask.hpp;
 #     and it keeps to Python's stable ABI, which has no macros such as PyList_GET_SIZE.
 
 cmake_minimum_required(VERSION 3.25)
@@ -86,7 +86,7 @@ foreach(file IN LISTS files)
       continue()
     endif()
     string(STRIP "${CMAKE_MATCH_1}" header)
-    if(header MATCHES "^\"phrame/(version|fwd)\\.hpp\"")
+    if(header MATCHES "^\"phrame/(version|export|fwd)\\.hpp\"")
       continue()
     elseif(header MATCHES "^\"phrame/([^\"]+)/[^/\"]+\"")
       list(FIND rooms ${CMAKE_MATCH_1} included)
@@ -131,8 +131,8 @@ foreach(file IN LISTS files)
   endif()
   foreach(directive IN LISTS directives)
     if(directive MATCHES "[<\"](phrame/.*)[>\"]" AND NOT CMAKE_MATCH_1 STREQUAL "phrame/phrame.hpp"
-        AND NOT (file MATCHES "/ask\\.cpp$" AND directive MATCHES "phrame/cli/ask\\.hpp"))
-      violation("${directive}: the package includes phrame/phrame.hpp")
+        AND NOT file MATCHES "/insides\\.hpp$" AND NOT (file MATCHES "/ask\\.cpp$" AND directive MATCHES "phrame/cli/ask\\.hpp"))
+      violation("${directive}: the package includes phrame/phrame.hpp, and insides by its insides.hpp")
     elseif(directive MATCHES "<([^>]+)>" AND CMAKE_MATCH_1 MATCHES "${private_header}|${flint_header}")
       violation("${directive}: what the library is made with is its own matter")
     endif()

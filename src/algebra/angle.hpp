@@ -2,6 +2,7 @@
 #include <string>
 
 #include "phrame/algebra/real.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -21,11 +22,11 @@ struct Angle {
 };
 
 /// Exact where the angle is rational.
-Real to_real(const Angle& angle);
+PHRAME_API Real to_real(const Angle& angle);
 
 /// "1/3", "pi/4", "-31pi/40", "1/3 + pi/4".
-std::string to_string(const Angle& angle);
+PHRAME_API std::string to_string(const Angle& angle);
 /// Writes to_string(angle).
-std::ostream& operator<<(std::ostream& out, const Angle& angle);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Angle& angle);
 
 }  // namespace phrame

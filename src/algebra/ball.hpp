@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -8,7 +9,7 @@ namespace phrame {
 /// return a ball that contains every value on their arguments, computed with `bits` bits of
 /// working precision (Johansson, Arb: efficient arbitrary-precision midpoint-radius interval
 /// arithmetic).
-class RealBall {
+class PHRAME_API RealBall {
  public:
   RealBall() = default;  ///< exactly 0
   /// A ball around x; without a radius where x has at most so many bits and is dyadic.
@@ -45,42 +46,42 @@ class RealBall {
 };
 
 /// The sign of all numbers in it; 0 where it is not certain, or 0.
-int sign(const RealBall& a);
-RealBall absolute(const RealBall& a);  ///< of |a|
+PHRAME_API int sign(const RealBall& a);
+PHRAME_API RealBall absolute(const RealBall& a);  ///< of |a|
 /// A double next to the midpoint, for guesses.
-double approximate(const RealBall& a);
+PHRAME_API double approximate(const RealBall& a);
 /// A double that no number of the ball exceeds, next to the least one; +∞ where there is none.
-double upper_double(const RealBall& a);
+PHRAME_API double upper_double(const RealBall& a);
 /// A ball that contains [a, b].
-RealBall hull(const Rational& a, const Rational& b, long bits);
+PHRAME_API RealBall hull(const Rational& a, const Rational& b, long bits);
 /// A ball that contains both.
-RealBall hull(const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall hull(const RealBall& a, const RealBall& b, long bits);
 
 /// @{ The sum, difference, product and quotient; a quotient is not finite where b contains 0.
-RealBall add(const RealBall& a, const RealBall& b, long bits);
-RealBall subtract(const RealBall& a, const RealBall& b, long bits);
-RealBall multiply(const RealBall& a, const RealBall& b, long bits);
-RealBall divide(const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall add(const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall subtract(const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall multiply(const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall divide(const RealBall& a, const RealBall& b, long bits);
 /// @}
 /// sum + a·b, rounded once.
-RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits);
+PHRAME_API RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits);
 /// √a; not finite where the ball has negative numbers.
-RealBall sqrt(const RealBall& a, long bits);
+PHRAME_API RealBall sqrt(const RealBall& a, long bits);
 /// aᵏ, k ≥ 0.
-RealBall pow(const RealBall& a, long k, long bits);
+PHRAME_API RealBall pow(const RealBall& a, long k, long bits);
 /// √a for an a that is known not to be negative, though its ball may have negative numbers.
-RealBall sqrt_of_nonnegative(const RealBall& a, long bits);
+PHRAME_API RealBall sqrt_of_nonnegative(const RealBall& a, long bits);
 /// 2ᵏ·a, exactly.
-RealBall times_power_of_two(RealBall a, long k);
+PHRAME_API RealBall times_power_of_two(RealBall a, long k);
 /// a + b, exactly.
-RealBall exact_sum(double a, double b);
+PHRAME_API RealBall exact_sum(double a, double b);
 /// @{ x + y for all x of the ball and |y| ≤ |by|.
-RealBall widened(RealBall a, const RealBall& by);
-RealBall widened(RealBall a, double by);
+PHRAME_API RealBall widened(RealBall a, const RealBall& by);
+PHRAME_API RealBall widened(RealBall a, double by);
 /// @}
-RealBall pi(long bits);  ///< π
+PHRAME_API RealBall pi(long bits);  ///< π
 /// The principal argument of x + iy ≠ 0, in (−π, π].
-RealBall argument(const Rational& x, const Rational& y, long bits);
+PHRAME_API RealBall argument(const Rational& x, const Rational& y, long bits);
 
 /// The cosine and the sine of one angle.
 struct CosSin {
@@ -88,10 +89,10 @@ struct CosSin {
   RealBall sin;  ///< sin φ
 };
 /// Both for an angle in radians.
-CosSin cos_sin(const RealBall& angle, long bits);
+PHRAME_API CosSin cos_sin(const RealBall& angle, long bits);
 
 /// A rectangle of two real balls that contains a complex number.
-class ComplexBall {
+class PHRAME_API ComplexBall {
  public:
   ComplexBall() = default;                              ///< exactly 0
   ComplexBall(const RealBall& re, const RealBall& im);  ///< re + i·im
@@ -118,38 +119,38 @@ class ComplexBall {
   flint::Acb handle_;
 };
 
-ComplexBall conjugate(const ComplexBall& z);         ///< the complex conjugate
-RealBall absolute(const ComplexBall& z, long bits);  ///< of |z|
+PHRAME_API ComplexBall conjugate(const ComplexBall& z);         ///< the complex conjugate
+PHRAME_API RealBall absolute(const ComplexBall& z, long bits);  ///< of |z|
 /// @{ The sum, difference and product.
-ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
-ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
-ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits);
-ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits);
+PHRAME_API ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
+PHRAME_API ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
+PHRAME_API ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits);
+PHRAME_API ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits);
 /// @}
 /// The principal argument, in (−π, π]; all of [−π, π] where the ball meets the negative real axis.
-RealBall argument(const ComplexBall& z, long bits);
+PHRAME_API RealBall argument(const ComplexBall& z, long bits);
 /// The argument in (0, 2π], π + arg(−z): for a z near the negative real axis, where the principal
 /// one jumps.
-RealBall argument_about_pi(const ComplexBall& z, long bits);
+PHRAME_API RealBall argument_about_pi(const ComplexBall& z, long bits);
 /// @{ p(z).
-ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
-RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
+PHRAME_API ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
+PHRAME_API RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
 /// @}
 /// f(x); not finite where the denominator is not kept from 0.
-RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
+PHRAME_API RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
 /// @{ a/b and 1/b; not finite where b contains 0.
-ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
-ComplexBall inverse(const ComplexBall& b, long bits);
+PHRAME_API ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
+PHRAME_API ComplexBall inverse(const ComplexBall& b, long bits);
 /// @}
 
 /// "-0.343344423853", for messages and tables: `digits` significant digits, fewer where the ball is
 /// wide; "0" for a ball that contains 0.
-std::string to_string(const RealBall& a, long digits);
+PHRAME_API std::string to_string(const RealBall& a, long digits);
 
 /// @{ "[0.333333333333333 +/- 3.34e-16]": up to 15 digits, and a bound of how far any number of the
 /// ball is from them; of a complex one "[…] + […]*i".
-std::ostream& operator<<(std::ostream& out, const RealBall& a);
-std::ostream& operator<<(std::ostream& out, const ComplexBall& z);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const RealBall& a);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const ComplexBall& z);
 /// @}
 
 }  // namespace phrame

@@ -1,10 +1,11 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// A polynomial in t whose coefficients are polynomials in x: an element of ℚ[x][t].
-class Bivariate {
+class PHRAME_API Bivariate {
  public:
   Bivariate() = default;  ///< 0
   /// The coefficients of t⁰, t¹, …, each a polynomial in x.
@@ -24,18 +25,18 @@ class Bivariate {
 };
 
 /// One polynomial from each `size` ≥ 1 numbers of the list, of which it divides the length.
-std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size);
+PHRAME_API std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size);
 
 /// v ≠ 0 over its content: coprime integers, the leading one of the leading coefficient > 0.
-Bivariate primitive_part(const Bivariate& v);
+PHRAME_API Bivariate primitive_part(const Bivariate& v);
 /// The coefficients of t⁰, t¹, … of primitive_part(v).
-std::vector<IntegerPolynomial> integer_rows(const Bivariate& v);
+PHRAME_API std::vector<IntegerPolynomial> integer_rows(const Bivariate& v);
 
 /// The value at t = `t`: a polynomial in x.
-Polynomial evaluate_at(const Bivariate& v, const Rational& t);
+PHRAME_API Polynomial evaluate_at(const Bivariate& v, const Rational& t);
 
 /// Arithmetic in ℚ[x]/(q), deg q ≥ 1. Elements are polynomials of degree < deg q.
-class QuotientRing {
+class PHRAME_API QuotientRing {
  public:
   /// Throws DomainError for a constant q.
   explicit QuotientRing(Polynomial q);

@@ -2,30 +2,32 @@
 #include <stdexcept>
 #include <string>
 
+#include "phrame/export.hpp"
+
 namespace phrame {
 
 /// What every exception of phrame derives from.
-class Error : public std::runtime_error {
+class PHRAME_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// The question has no answer: a division by zero, a pole on the path, a Frenet frame of a line.
 /// The message names the notion or the function, the reason and the value.
-class DomainError : public Error {
+class PHRAME_API DomainError : public Error {
  public:
   using Error::Error;
 };
 
 /// The answer exists, but the limit that the message names was reached before it was proved.
-class Undecided : public Error {
+class PHRAME_API Undecided : public Error {
  public:
   using Error::Error;
 };
 
 /// What was read is not what its format says. `place` is where (a JSON pointer, a column, an
 /// option), `reason` what is wrong, with the value; what() is "place: reason".
-class InputError : public Error {
+class PHRAME_API InputError : public Error {
  public:
   /// Without a place, for a caller who knows it.
   explicit InputError(std::string reason) : Error(reason), reason_(std::move(reason)) {}

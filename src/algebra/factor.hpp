@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -19,9 +20,9 @@ struct Factorization {
 };
 
 /// The bases are squarefree and the exponents distinct (Yun). Throws DomainError for 0.
-Factorization squarefree_factorization(const Polynomial& p);
+PHRAME_API Factorization squarefree_factorization(const Polynomial& p);
 
 /// The bases are irreducible over ℚ. Throws DomainError for 0.
-Factorization factor(const Polynomial& p);
+PHRAME_API Factorization factor(const Polynomial& p);
 
 }  // namespace phrame

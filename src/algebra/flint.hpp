@@ -39,12 +39,14 @@
 #include <arb_poly.h>
 #include <arf.h>
 #include <mag.h>
+
+#include "phrame/export.hpp"
 #endif
 
 namespace phrame {
 
 /// Frees what FLINT, Arb and MPFR keep for later use in this thread: numbers, and digits of π. Call
 /// it when no number of ours exists any more, for a leak checker to be content.
-void release_caches();
+PHRAME_API void release_caches();
 
 }  // namespace phrame

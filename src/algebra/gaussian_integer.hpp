@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "phrame/algebra/rational.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -20,27 +21,29 @@ struct GaussianRational {
 };
 
 /// @{ Sums, products, multiples.
-GaussianRational operator+(const GaussianRational& a, const GaussianRational& b);
-GaussianRational operator-(const GaussianRational& a, const GaussianRational& b);
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
-GaussianRational operator*(const Rational& c, const GaussianRational& a);
+PHRAME_API GaussianRational operator+(const GaussianRational& a, const GaussianRational& b);
+PHRAME_API GaussianRational operator-(const GaussianRational& a, const GaussianRational& b);
+PHRAME_API GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
+PHRAME_API GaussianRational operator*(const Rational& c, const GaussianRational& a);
 /// @}
-GaussianRational conjugate(const GaussianRational& a);  ///< re − i·im
-Rational norm(const GaussianRational& a);               ///< |a|²
+PHRAME_API GaussianRational conjugate(const GaussianRational& a);  ///< re − i·im
+PHRAME_API Rational norm(const GaussianRational& a);               ///< |a|²
 /// z ≠ 0 times a positive number, its parts coprime.
-GaussianInteger primitive_multiple(const GaussianRational& z);
+PHRAME_API GaussianInteger primitive_multiple(const GaussianRational& z);
 
-GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b);  ///< the product
-GaussianInteger conjugate(const GaussianInteger& a);                            ///< re − i·im
+PHRAME_API GaussianInteger operator*(const GaussianInteger& a,
+                                     const GaussianInteger& b);  ///< the product
+PHRAME_API GaussianInteger conjugate(const GaussianInteger& a);  ///< re − i·im
 /// |a|².
-Integer norm(const GaussianInteger& a);
+PHRAME_API Integer norm(const GaussianInteger& a);
 /// The one of ±a, ±i·a with re > 0 and im ≥ 0; 0 for 0.
-GaussianInteger first_quadrant(const GaussianInteger& a);
+PHRAME_API GaussianInteger first_quadrant(const GaussianInteger& a);
 /// a/b where b ≠ 0 divides a; no value where it does not.
-std::optional<GaussianInteger> exact_quotient(const GaussianInteger& a, const GaussianInteger& b);
+PHRAME_API std::optional<GaussianInteger> exact_quotient(const GaussianInteger& a,
+                                                         const GaussianInteger& b);
 /// The greatest common divisor in the first quadrant; gcd(0, 0) = 0. Fast where the norms have a
 /// small one.
-GaussianInteger gcd(GaussianInteger a, GaussianInteger b);
+PHRAME_API GaussianInteger gcd(GaussianInteger a, GaussianInteger b);
 
 /// x = |root|²·rest for an integer x ≥ 1.
 struct NormFactor {
@@ -52,16 +55,16 @@ struct NormFactor {
 /// 2¹²⁸, rest is squarefree with primes ≡ 3 mod 4 only: the least, and 1 where x is a sum of two
 /// squares. Otherwise rest may keep more: to find all factors is as hard as to factor x. Throws
 /// DomainError for x < 1. Cost: up to a second, for two large primes.
-NormFactor split_norm(const Integer& x);
+PHRAME_API NormFactor split_norm(const Integer& x);
 
 /// z with |z|² = n ≥ 0, where that is found fast: where n is a product of primes below 10000 and a
 /// square or one prime. No value where n is no sum of two squares, and where the rest is another.
 /// Cost: at most one power modulo n and some divisions, much less than split_norm.
-std::optional<GaussianInteger> easy_norm_root(const Integer& n);
+PHRAME_API std::optional<GaussianInteger> easy_norm_root(const Integer& n);
 
 /// @{ "1/2 - 3*i", "2", "-i".
-std::ostream& operator<<(std::ostream& out, const GaussianInteger& z);
-std::ostream& operator<<(std::ostream& out, const GaussianRational& z);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const GaussianInteger& z);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const GaussianRational& z);
 /// @}
 
 }  // namespace phrame

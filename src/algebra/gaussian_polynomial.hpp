@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -12,28 +13,30 @@ struct GaussianPolynomial {
 };
 
 /// @{ Exact.
-GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
-GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
-GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
-GaussianPolynomial operator*(const Polynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial operator*(const Polynomial& a, const GaussianPolynomial& b);
 /// @}
 
-bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
-long degree(const GaussianPolynomial& a);   ///< the greater of those of the parts; −1 for 0
+PHRAME_API bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
+PHRAME_API long degree(
+    const GaussianPolynomial& a);  ///< the greater of those of the parts; −1 for 0
 /// The coefficients conjugated; the variable is real.
-GaussianPolynomial conjugate(const GaussianPolynomial& a);
-GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
+PHRAME_API GaussianPolynomial conjugate(const GaussianPolynomial& a);
+PHRAME_API GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
 /// |a|² = a·ā ∈ ℚ[t].
-Polynomial norm(const GaussianPolynomial& a);
+PHRAME_API Polynomial norm(const GaussianPolynomial& a);
 /// a over its leading coefficient. Throws DomainError for 0.
-GaussianPolynomial monic(const GaussianPolynomial& a);
+PHRAME_API GaussianPolynomial monic(const GaussianPolynomial& a);
 /// a / b, where b divides a. Throws DomainError where it does not.
-GaussianPolynomial exact_quotient(const GaussianPolynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial exact_quotient(const GaussianPolynomial& a,
+                                             const GaussianPolynomial& b);
 /// The monic greatest common divisor, proved by dividing a and b; gcd(0, 0) = 0.
 /// Cost: Euclid's algorithm modulo as many primes as the result, not a or b, is long.
-GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
+PHRAME_API GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
 
 /// "(t^2 - 1) + (2*t)*i".
-std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p);
 
 }  // namespace phrame

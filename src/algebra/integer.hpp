@@ -6,6 +6,7 @@
 #include <string>
 
 #include "phrame/algebra/handle.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -16,7 +17,7 @@ concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
 /// An integer of any size: FLINT's fmpz, which holds those below 2^62 in one word. Copies own their
 /// digits; a moved-from integer is 0. Boost's integers are one conversion away
 /// (multiprecision.hpp).
-class Integer {
+class PHRAME_API Integer {
  public:
   Integer() = default;  ///< 0
   /// x, of any of these types.
@@ -85,24 +86,24 @@ class Integer {
 };
 
 /// In base 10.
-std::ostream& operator<<(std::ostream& out, const Integer& x);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Integer& x);
 
 inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }  ///< |x|
 /// @{ Not negative; gcd(0, 0) = 0.
-Integer gcd(const Integer& a, const Integer& b);
-Integer lcm(const Integer& a, const Integer& b);
+PHRAME_API Integer gcd(const Integer& a, const Integer& b);
+PHRAME_API Integer lcm(const Integer& a, const Integer& b);
 /// @}
-Integer pow(const Integer& base, unsigned long exponent);  ///< the power; 0⁰ = 1
+PHRAME_API Integer pow(const Integer& base, unsigned long exponent);  ///< the power; 0⁰ = 1
 /// ⌊√x⌋. Throws DomainError for x < 0.
-Integer sqrt(const Integer& x);
+PHRAME_API Integer sqrt(const Integer& x);
 /// ⌊a/b⌋. Throws DomainError for b = 0.
-Integer floor_quotient(const Integer& a, const Integer& b);
+PHRAME_API Integer floor_quotient(const Integer& a, const Integer& b);
 /// The residue of x in [0, m). Throws DomainError for m < 1.
-Integer modulo(const Integer& x, const Integer& m);
+PHRAME_API Integer modulo(const Integer& x, const Integer& m);
 /// 1/x modulo m, in [0, m); no value where gcd(x, m) ≠ 1. Throws DomainError for m < 1.
-std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m);
+PHRAME_API std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m);
 /// Euler's φ(n), n ≥ 1: how many of 1, …, n are coprime to n.
-unsigned long euler_phi(unsigned long n);
+PHRAME_API unsigned long euler_phi(unsigned long n);
 /// The number of bits of |x|; 0 for 0.
 inline long bit_length(const Integer& x) { return static_cast<long>(fmpz_bits(x.raw())); }
 

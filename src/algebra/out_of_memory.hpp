@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -8,9 +9,9 @@ namespace phrame {
 /// the library; once, while no other thread uses them. What they held at that moment is lost; what
 /// they keep for later use is dropped, since it may be half made. A little memory is kept back, for
 /// destructors to have some.
-void throw_when_out_of_memory();
+PHRAME_API void throw_when_out_of_memory();
 /// Of another thread, as it begins: it has then what these libraries and exceptions keep for each
 /// thread. Where the C library finds no memory for that later, it ends the process.
-void prepare_thread();
+PHRAME_API void prepare_thread();
 
 }  // namespace phrame

@@ -6,11 +6,12 @@
 
 #include "phrame/algebra/handle.hpp"
 #include "phrame/algebra/rational.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// A polynomial over ℚ in one variable. Degree of 0 is −1.
-class Polynomial {
+class PHRAME_API Polynomial {
  public:
   Polynomial() = default;  ///< 0
   /// The coefficients of t⁰, t¹, …: {1, 0, 2} is 2t² + 1.
@@ -69,22 +70,22 @@ struct Division {
 };
 
 /// a = quotient · b + remainder, deg remainder < deg b. Throws DomainError for b = 0.
-Division divide(const Polynomial& a, const Polynomial& b);
+PHRAME_API Division divide(const Polynomial& a, const Polynomial& b);
 /// The remainder. Throws DomainError for b = 0.
-Polynomial operator%(const Polynomial& a, const Polynomial& b);
+PHRAME_API Polynomial operator%(const Polynomial& a, const Polynomial& b);
 /// a % b, much faster where it is known to be far shorter than a: the quotient of a, without its
 /// denominator, by the primitive part of b is then integral (Gauss's lemma), and no power of a
 /// leading coefficient is needed to divide.
-Polynomial short_remainder(const Polynomial& a, const Polynomial& b);
+PHRAME_API Polynomial short_remainder(const Polynomial& a, const Polynomial& b);
 /// a / b, where b divides a. Throws DomainError where it does not.
-Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
+PHRAME_API Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
 
 /// The least common denominator of the coefficients, > 0.
-Integer denominator(const Polynomial& p);
+PHRAME_API Integer denominator(const Polynomial& p);
 
 /// The greatest common divisor with coprime integer coefficients and a positive leading one;
 /// gcd(0, 0) = 0.
-Polynomial gcd(const Polynomial& a, const Polynomial& b);
+PHRAME_API Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// What extended_gcd() finds.
 struct ExtendedGcd {
@@ -93,46 +94,47 @@ struct ExtendedGcd {
   Polynomial t;  ///< the factor of b
 };
 /// g = gcd(a, b) = s·a + t·b, but monic.
-ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
+PHRAME_API ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
 
 /// @{ p = content(p) · primitive_part(p); the primitive part has coprime integer coefficients and a
 /// positive leading one, so the content carries the sign. Both are 0 for 0.
-Rational content(const Polynomial& p);
-Polynomial primitive_part(const Polynomial& p);
+PHRAME_API Rational content(const Polynomial& p);
+PHRAME_API Polynomial primitive_part(const Polynomial& p);
 /// @}
 /// The greatest c ≥ 0 such that all of them have integer coefficients when divided by c; 0 where
 /// all are 0.
-Rational common_content(const std::vector<Polynomial>& polynomials);
+PHRAME_API Rational common_content(const std::vector<Polynomial>& polynomials);
 
-Polynomial differentiate(const Polynomial& p);  ///< p′
+PHRAME_API Polynomial differentiate(const Polynomial& p);  ///< p′
 /// ∫₀ᵗ p.
-Polynomial antiderivative(const Polynomial& p);
+PHRAME_API Polynomial antiderivative(const Polynomial& p);
 /// p(q(t)).
-Polynomial compose(const Polynomial& p, const Polynomial& q);
+PHRAME_API Polynomial compose(const Polynomial& p, const Polynomial& q);
 /// pᵏ, k ≥ 0; p⁰ = 1.
-Polynomial pow(const Polynomial& p, long k);
+PHRAME_API Polynomial pow(const Polynomial& p, long k);
 /// √p, with a positive leading coefficient, where it is in ℚ[t]; no value where it is not.
-std::optional<Polynomial> square_root(const Polynomial& p);
+PHRAME_API std::optional<Polynomial> square_root(const Polynomial& p);
 /// p/gcd(p, p′), primitive: the same roots, each once. Throws DomainError for 0.
-Polynomial squarefree_part(const Polynomial& p);
-bool is_squarefree(const Polynomial& p);  ///< has it no multiple root? True for constants ≠ 0
+PHRAME_API Polynomial squarefree_part(const Polynomial& p);
+PHRAME_API bool is_squarefree(
+    const Polynomial& p);  ///< has it no multiple root? True for constants ≠ 0
 
 /// "t^2 - 1/2*t + 3", for messages.
-std::string to_string(const Polynomial& p);
+PHRAME_API std::string to_string(const Polynomial& p);
 /// Writes to_string(p).
-std::ostream& operator<<(std::ostream& out, const Polynomial& p);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Polynomial& p);
 
 /// A polynomial over ℤ, to be reduced modulo primes (modular.hpp).
 using IntegerPolynomial = flint::FmpzPoly;
-IntegerPolynomial integer_primitive_part(const Polynomial& p);  ///< primitive_part(p)
-IntegerPolynomial integer_numerator(const Polynomial& p);       ///< denominator(p)·p
+PHRAME_API IntegerPolynomial integer_primitive_part(const Polynomial& p);  ///< primitive_part(p)
+PHRAME_API IntegerPolynomial integer_numerator(const Polynomial& p);       ///< denominator(p)·p
 /// The bits of the greatest coefficient of primitive_part(p); 0 for 0.
-long primitive_bits(const Polynomial& p);
-Polynomial to_polynomial(const fmpz_poly_t p);  ///< the same over ℚ
+PHRAME_API long primitive_bits(const Polynomial& p);
+PHRAME_API Polynomial to_polynomial(const fmpz_poly_t p);  ///< the same over ℚ
 
 /// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.
-int sign_after_zero(const Polynomial& p);
+PHRAME_API int sign_after_zero(const Polynomial& p);
 /// The sign of p(t) for t < 1 next to 1.
-int sign_before_one(const Polynomial& p);
+PHRAME_API int sign_before_one(const Polynomial& p);
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "phrame/algebra/ball.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -13,7 +14,7 @@ namespace phrame {
 /// occurs several times is computed and enclosed once. All sums are linear combinations of steps
 /// with rational coefficients, like terms collected. Beyond that and i² = −1, √x·√x = x nothing is
 /// simplified: == compares the steps, and different radicals may be the same number.
-class Radical {
+class PHRAME_API Radical {
  public:
   /// What a step does.
   enum class Kind { imaginary_unit, product, quotient, square_root, cube_root };
@@ -50,22 +51,24 @@ class Radical {
   /// The number, where no step is needed to write it.
   std::optional<Rational> rational() const;
 
-  friend Radical operator+(const Radical& a, const Radical& b);  ///< like terms collected
-  friend Radical operator*(const Radical& a, const Radical& b);  ///< i² = −1 and √x·√x = x are used
+  friend PHRAME_API Radical operator+(const Radical& a,
+                                      const Radical& b);  ///< like terms collected
+  friend PHRAME_API Radical operator*(const Radical& a,
+                                      const Radical& b);  ///< i² = −1 and √x·√x = x are used
   /// Throws DomainError for b = 0, if it is written as 0.
-  friend Radical operator/(const Radical& a, const Radical& b);
+  friend PHRAME_API Radical operator/(const Radical& a, const Radical& b);
   /// @{ As written by + and ·.
   friend Radical operator-(const Radical& a) { return a * Rational(-1); }
   friend Radical operator-(const Radical& a, const Radical& b) { return a + -b; }
   /// @}
   /// @{ Powers are taken out of rational radicands as far as they are found (split_square):
   /// √12 = 2√3, √(−1/2) = i√2/2, ∛(16/27) = 2∛2/3.
-  friend Radical sqrt(const Radical& a);
-  friend Radical cbrt(const Radical& a);
+  friend PHRAME_API Radical sqrt(const Radical& a);
+  friend PHRAME_API Radical cbrt(const Radical& a);
   /// @}
 
   /// Are they written alike, whatever the order of the steps?
-  friend bool operator==(const Radical& a, const Radical& b);
+  friend PHRAME_API bool operator==(const Radical& a, const Radical& b);
 
  private:
   static Radical combination(const std::vector<Step>& steps, const Sum& value);
@@ -76,12 +79,12 @@ class Radical {
 };
 
 /// p(x), by Horner's rule.
-Radical evaluate(const Polynomial& p, const Radical& x);
+PHRAME_API Radical evaluate(const Polynomial& p, const Radical& x);
 
 /// A ball around x with a radius ≤ 2^−bits · max(1, |x|) in both parts. Throws Undecided where
 /// 64·bits + 65536 bits of precision do not reach that: where a number is divided by which is 0
 /// without being written so, or where a number that is not seen to be real lies on the cut of √ or
 /// ∛, the negative axis.
-ComplexBall enclose(const Radical& x, long bits);
+PHRAME_API ComplexBall enclose(const Radical& x, long bits);
 
 }  // namespace phrame

@@ -4,13 +4,14 @@
 #include <string_view>
 
 #include "phrame/algebra/integer.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// A fraction of integers of any size, always in lowest terms with a positive denominator: FLINT's
 /// fmpq. A moved-from fraction is 0. Boost's fractions are one conversion away
 /// (multiprecision.hpp).
-class Rational {
+class PHRAME_API Rational {
  public:
   Rational() = default;  ///< 0
   /// An integer, of any type.
@@ -62,7 +63,7 @@ class Rational {
 };
 
 /// "3/7", "-2".
-std::ostream& operator<<(std::ostream& out, const Rational& x);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Rational& x);
 
 /// In lowest terms, with the sign.
 inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw())); }
@@ -70,9 +71,9 @@ inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw()
 inline Integer denominator(const Rational& x) { return Integer(fmpq_denref(x.raw())); }
 inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }  ///< |x|
 /// The greatest integer ≤ x.
-Integer floor(const Rational& x);
+PHRAME_API Integer floor(const Rational& x);
 /// The fraction with the least denominator in [a, b], a ≤ b, and of these the one next to 0.
-Rational simplest_between(const Rational& a, const Rational& b);
+PHRAME_API Rational simplest_between(const Rational& a, const Rational& b);
 
 /// The longest number text that parse_rational accepts, in characters.
 inline constexpr std::size_t max_number_length = 100'000;
@@ -81,19 +82,19 @@ inline constexpr long max_number_exponent = 100'000;
 
 /// The exact value of "3/7", "-2", "0.9515", "1e-3", ".5" or the hexadecimal "0x1.8p-3".
 /// Throws InputError (no place, the reason quotes the text) on anything else: "1/0", "nan", "".
-Rational parse_rational(std::string_view text);
+PHRAME_API Rational parse_rational(std::string_view text);
 
 /// The exact dyadic value of a double. Throws DomainError for NaN and infinities.
-Rational exact_rational(double x);
+PHRAME_API Rational exact_rational(double x);
 
 /// "3/7", "-2".
-std::string to_string(const Rational& x);
+PHRAME_API std::string to_string(const Rational& x);
 
 /// `text` as a one-line message can carry it: cut to `limit` bytes, control characters shown as
 /// '?'.
-std::string abbreviated(std::string_view text, std::size_t limit = 40);
+PHRAME_API std::string abbreviated(std::string_view text, std::size_t limit = 40);
 
 /// √x ≥ 0 where it is rational; no value where it is not, or x < 0.
-std::optional<Rational> square_root(const Rational& x);
+PHRAME_API std::optional<Rational> square_root(const Rational& x);
 
 }  // namespace phrame

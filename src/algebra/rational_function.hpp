@@ -2,12 +2,13 @@
 #include <optional>
 
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// A rational function over ℚ in lowest terms: gcd(numerator, denominator) = 1, the denominator
 /// has coprime integer coefficients and a positive leading one. Zero is 0/1.
-class RationalFunction {
+class PHRAME_API RationalFunction {
  public:
   RationalFunction() = default;  ///< 0
   /// Throws DomainError for a zero denominator.
@@ -26,10 +27,13 @@ class RationalFunction {
   Rational operator()(const Rational& t) const;
 
   /// @{ Exact, in lowest terms. Cost: a gcd.
-  friend RationalFunction operator+(const RationalFunction& a, const RationalFunction& b);
-  friend RationalFunction operator-(const RationalFunction& a, const RationalFunction& b);
-  friend RationalFunction operator*(const RationalFunction& a, const RationalFunction& b);
-  friend RationalFunction operator-(const RationalFunction& a);
+  friend PHRAME_API RationalFunction operator+(const RationalFunction& a,
+                                               const RationalFunction& b);
+  friend PHRAME_API RationalFunction operator-(const RationalFunction& a,
+                                               const RationalFunction& b);
+  friend PHRAME_API RationalFunction operator*(const RationalFunction& a,
+                                               const RationalFunction& b);
+  friend PHRAME_API RationalFunction operator-(const RationalFunction& a);
   /// @}
   friend bool operator==(const RationalFunction&, const RationalFunction&) = default;
 
@@ -38,21 +42,21 @@ class RationalFunction {
   Polynomial denominator_;  ///< 0 stands for 1, so that a moved-from value is 0/1
 };
 
-RationalFunction differentiate(const RationalFunction& f);  ///< f′
+PHRAME_API RationalFunction differentiate(const RationalFunction& f);  ///< f′
 
 /// @{ f(g(t)). Throws DomainError where g is a constant at which f has a pole.
-RationalFunction compose(const RationalFunction& f, const Polynomial& g);
-RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
+PHRAME_API RationalFunction compose(const RationalFunction& f, const Polynomial& g);
+PHRAME_API RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
 /// @}
 
 /// c where f = c.
-std::optional<Rational> constant(const RationalFunction& f);
+PHRAME_API std::optional<Rational> constant(const RationalFunction& f);
 
 /// The bits of the greatest coefficients of numerator and denominator.
-long bits_of(const RationalFunction& f);
+PHRAME_API long bits_of(const RationalFunction& f);
 
 /// "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or as a polynomial where it is one.
-std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
 
 /// How large the values of a computation may become whose steps somebody else chooses.
 struct SizeLimits {

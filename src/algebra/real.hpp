@@ -4,13 +4,14 @@
 #include <optional>
 
 #include "phrame/algebra/ball.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 struct AngleForm;
 
 /// The bits of numerator and denominator.
-long bits_of(const Rational& x);
+PHRAME_API long bits_of(const Rational& x);
 
 /// A real number: known exactly, or by enclosures as narrow as one asks. Copies share these.
 class Real {
@@ -53,21 +54,22 @@ class Real {
 /// they are rational, and else known to be irrational. Sums and products of an
 /// irrational number and a rational one ≠ 0 are irrational; of two other irrational ones nothing is
 /// known.
-Real operator-(const Real& x);
-Real operator+(const Real& x, const Real& y);
-Real operator*(const Real& x, const Real& y);
+PHRAME_API Real operator-(const Real& x);
+PHRAME_API Real operator+(const Real& x, const Real& y);
+PHRAME_API Real operator*(const Real& x, const Real& y);
 /// @}
 /// The same number, which keeps the narrowest ball that it was asked for, for the next time. Its
 /// copies share it.
-Real remembered(const Real& x);
+PHRAME_API Real remembered(const Real& x);
 /// The same number, which is known to be irrational.
-Real known_irrational(const Real& x);
+PHRAME_API Real known_irrational(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.
-Real square_root_of(const Rational& x);
-Real square_root_of(const Real& x);  ///< likewise; of an x ≥ 0 that is not exact nothing is known
+PHRAME_API Real square_root_of(const Rational& x);
+PHRAME_API Real
+square_root_of(const Real& x);  ///< likewise; of an x ≥ 0 that is not exact nothing is known
 
 /// The number, where it is exact; else a ball of 64 bits around it, "[3.14159265358979
 /// +/- 3.24e-15]". For digits that are certain: round_to_decimal().
-std::ostream& operator<<(std::ostream& out, const Real& x);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Real& x);
 
 }  // namespace phrame

@@ -7,13 +7,14 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// A real algebraic number: the one root of an irreducible polynomial in an interval. A rational
 /// number r is the root of the primitive multiple of t − r in the point [r, r]; the interval of any
 /// other is open, with rational ends. Equality and order are decided by algebra.
-class RealAlgebraic {
+class PHRAME_API RealAlgebraic {
  public:
   /// A rational number.
   RealAlgebraic(const Rational& r = 0);  // NOLINT(google-explicit-constructor)
@@ -26,8 +27,9 @@ class RealAlgebraic {
   /// The number, where it is rational.
   std::optional<Rational> rational() const;
 
-  friend RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
-  friend std::vector<struct RealRoot> real_roots(const Polynomial& p, const Interval& interval);
+  friend PHRAME_API RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
+  friend PHRAME_API std::vector<struct RealRoot> real_roots(const Polynomial& p,
+                                                            const Interval& interval);
 
  private:
   RealAlgebraic(Polynomial p, Interval isolating)
@@ -42,8 +44,8 @@ class RealAlgebraic {
 RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
 
 /// @{ Which is the greater one, decided exactly.
-std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
-std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b);
+PHRAME_API std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
+PHRAME_API std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b);
 inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
   return compare(a, b) == 0;
 }
@@ -66,26 +68,26 @@ std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 /// The value of t, a root of p ≠ 0 in [a, b], where it is rational; no value where it is not. No
 /// polynomial is factored: t is asked for about as many bits as the leading coefficient has.
 /// Precondition: p has no other root in [a, b].
-std::optional<Rational> rational_root(const Polynomial& p, const Rational& a, const Rational& b,
-                                      const Real& t);
+PHRAME_API std::optional<Rational> rational_root(const Polynomial& p, const Rational& a,
+                                                 const Rational& b, const Real& t);
 
 /// −1, 0 or 1: the sign of q(a).
-int sign_at(const Polynomial& q, const RealAlgebraic& a);
+PHRAME_API int sign_at(const Polynomial& q, const RealAlgebraic& a);
 
 /// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
-RealBall enclose(const RealAlgebraic& a, long bits);
+PHRAME_API RealBall enclose(const RealAlgebraic& a, long bits);
 
 /// "t = 1/2", "t ≈ 0.584803547642", long fractions abbreviated: where something is, for messages.
-std::string place(std::string_view letter, const RealAlgebraic& a);
+PHRAME_API std::string place(std::string_view letter, const RealAlgebraic& a);
 
 /// The bits of what it is made from: of its polynomial, times the degree.
-long bits_of(const RealAlgebraic& a);
+PHRAME_API long bits_of(const RealAlgebraic& a);
 
 /// For correct rounding, which always ends: an irrational number is never half way between two
 /// numbers with finitely many digits.
-Real to_real(const RealAlgebraic& a);
+PHRAME_API Real to_real(const RealAlgebraic& a);
 
 /// "1/2", "root of t^2 - 2 in (1, 2)".
-std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a);
 
 }  // namespace phrame

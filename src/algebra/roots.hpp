@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/ball.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -13,19 +14,19 @@ struct Roots {
 /// enclosures is the degree. From a guess in double precision by the iteration of Ehrlich and
 /// Aberth in as many bits as are needed to prove it, and from there on by `refine`.
 /// Throws DomainError where p is constant or not squarefree.
-Roots isolate_roots(const Polynomial& p, long bits);
+PHRAME_API Roots isolate_roots(const Polynomial& p, long bits);
 
 /// Do doubles not tell of a single root of p ≠ 0 where it is, as where all lie in large clusters?
 /// To isolate them takes far longer, then. A hint, for a hundredth of the time of isolate_roots.
-bool has_no_clear_root(const Polynomial& p);
+PHRAME_API bool has_no_clear_root(const Polynomial& p);
 
 /// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by
 /// interval Newton steps; false where they do not reach that.
-bool refine(const Polynomial& p, RealBall& root, long bits);
+PHRAME_API bool refine(const Polynomial& p, RealBall& root, long bits);
 
 /// Narrows the enclosures of isolate_roots(p, …) to about `bits` bits by interval Newton steps,
 /// m − p(m)/p′(Z) with m the midpoint of Z, which keep the root of Z and converge quadratically.
 /// Where they do not converge, Ehrlich's and Aberth's steps do the rest.
-void refine(const Polynomial& p, Roots& roots, long bits);
+PHRAME_API void refine(const Polynomial& p, Roots& roots, long bits);
 
 }  // namespace phrame

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "phrame/algebra/real.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -25,14 +26,14 @@ struct PrecisionLimit {
 
 /// The nearest double. 0 is no boundary here: a ball within 2^−1075 of it rounds to 0, the positive
 /// one.
-double round_to_double(const Real& x, PrecisionLimit limit = {});
+PHRAME_API double round_to_double(const Real& x, PrecisionLimit limit = {});
 
 /// The double that all numbers of the ball round to, where there is one.
-std::optional<double> common_double(const RealBall& x);
+PHRAME_API std::optional<double> common_double(const RealBall& x);
 
 /// To the precision of the initialised `target`. (multiprecision.hpp has this for Boost's
 /// mpfr_float.)
-void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit = {});
+PHRAME_API void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit = {});
 
 /// A number with so many significant decimal digits, correctly rounded.
 struct Decimal {
@@ -40,23 +41,23 @@ struct Decimal {
   std::string radius;  ///< an upper bound of |value − number|, two digits; "0" where they are equal
 };
 /// Its value.
-std::ostream& operator<<(std::ostream& out, const Decimal& x);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Decimal& x);
 /// With `digits` ≥ 1 significant decimal digits. Throws DomainError for digits < 1.
-Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
+PHRAME_API Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit = {});
 
 /// @{ 2ᵏ and 10ᵏ.
-Rational power_of_two(long k);
-Rational power_of_ten(long k);
+PHRAME_API Rational power_of_two(long k);
+PHRAME_API Rational power_of_ten(long k);
 /// @}
 /// log₂ x, off by less than 1, for x > 0.
-long binary_exponent(const Rational& x);
+PHRAME_API long binary_exponent(const Rational& x);
 /// The e with 10ᵉ ≤ x < 10ᵉ⁺¹, x > 0.
-long decimal_exponent(const Rational& x);
+PHRAME_API long decimal_exponent(const Rational& x);
 
 /// @{ A bound of x ≥ 0 with so many digits, "1.3e-51", rounded up or down; "0" for 0. With
 /// more than two digits "0.0131" where that is short.
-std::string upper_bound_text(const Rational& x, long digits = 2);
-std::string lower_bound_text(const Rational& x, long digits = 2);
+PHRAME_API std::string upper_bound_text(const Rational& x, long digits = 2);
+PHRAME_API std::string lower_bound_text(const Rational& x, long digits = 2);
 /// @}
 
 }  // namespace phrame

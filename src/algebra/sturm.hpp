@@ -3,6 +3,7 @@
 #include <string>
 
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -22,31 +23,31 @@ inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move
 inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b), false, false}; }
 
 /// "[0, 1]", "(-1/2, ∞)".
-std::string to_string(const Interval& interval);
+PHRAME_API std::string to_string(const Interval& interval);
 /// Writes to_string(interval).
-std::ostream& operator<<(std::ostream& out, const Interval& interval);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Interval& interval);
 
 /// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
 /// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together.
 /// An interval with lower > upper is empty. Throws DomainError for p = 0.
-long count_real_roots(const Polynomial& p, const Interval& interval);
+PHRAME_API long count_real_roots(const Polynomial& p, const Interval& interval);
 
 /// Disjoint intervals in ascending order, one for each distinct real root of p in the given one.
 /// Each is either a single rational point (the root itself) or open, with a sign change of the
 /// squarefree part and no root at its ends. Throws DomainError for p = 0.
-std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
+PHRAME_API std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
 
 /// The same isolating interval of p, with finite ends, bisected until it is no wider than
 /// `width` > 0.
-Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
+PHRAME_API Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
 
 /// isolate_real_roots for people to read: rational roots as points, the others in intervals no
 /// wider than 2⁻²⁰. Cost: a factorization where there is a root.
-std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& interval);
+PHRAME_API std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& interval);
 
 /// The Sturm sequence of (p, q): p, q and the negated remainders, each up to a positive factor;
 /// the last is gcd(p, q). Basu–Pollack–Roy, Algorithms in Real Algebraic Geometry, §2.2.
-class SturmChain {
+class PHRAME_API SturmChain {
  public:
   /// Throws DomainError for p = 0.
   SturmChain(const Polynomial& p, const Polynomial& q);
@@ -62,7 +63,7 @@ class SturmChain {
 
 /// The Cauchy index of q/p on (a, b): the number of jumps of q/p from −∞ to +∞ minus the number of
 /// jumps from +∞ to −∞ = V(a) − V(b). Precondition: p(a)·p(b) ≠ 0. The chain is that of (p, q).
-long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b);
+PHRAME_API long cauchy_index(const SturmChain& chain, const Rational& a, const Rational& b);
 
 /// How γ = x + iy turns between 0 and t, by the signs of the Sturm sequence of (x, y) at both ends.
 struct TurnCount {

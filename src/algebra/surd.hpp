@@ -2,6 +2,7 @@
 #include <map>
 
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -12,10 +13,10 @@ struct RootProduct {
 };
 /// By the gcd of d and e alone: the radicand may have square factors. Throws DomainError for d or e
 /// < 1.
-RootProduct multiply_roots(const Integer& d, const Integer& e);
+PHRAME_API RootProduct multiply_roots(const Integer& d, const Integer& e);
 
 /// ℚ(√d, √e, …) for integers d, e, … ≥ 1, by the integers whose roots are in it, up to squares.
-class RootField {
+class PHRAME_API RootField {
  public:
   /// Is √d in it?
   bool contains(const Integer& d) const;
@@ -30,7 +31,7 @@ class RootField {
 
 /// For each root that was new in its turn the field of the others: the automorphisms that fix these
 /// fields generate all.
-std::vector<RootField> fields_without_a_root(const RootField& field);
+PHRAME_API std::vector<RootField> fields_without_a_root(const RootField& field);
 
 /// Σ c·√d with c ≠ 0 in ℚ or ℚ[t] and integers d ≥ 1, no two of which have a product that is a
 /// square. Such roots are linearly independent over ℚ [Besicovitch 1940]: only 0 has no term. So
@@ -96,9 +97,9 @@ auto operator*(const SurdSum<A>& x, const SurdSum<B>& y) {
 }
 
 /// Throws DomainError for y = 0.
-Surd operator/(const Surd& x, const Surd& y);
+PHRAME_API Surd operator/(const Surd& x, const Surd& y);
 /// −1, 0 or 1.
-int sign(const Surd& x);
+PHRAME_API int sign(const Surd& x);
 
 /// ℚ(√d, …) for the d of the terms.
 template <class C>
@@ -129,14 +130,14 @@ RootField half_field(const SurdSum<C>& x) {
 }
 
 /// The coefficients of t⁰, t¹, …
-SurdPolynomial surd_polynomial(const std::vector<Surd>& ascending);
-SurdPolynomial differentiate(const SurdPolynomial& p);  ///< p′
-long degree(const SurdPolynomial& p);                   ///< −1 for 0
+PHRAME_API SurdPolynomial surd_polynomial(const std::vector<Surd>& ascending);
+PHRAME_API SurdPolynomial differentiate(const SurdPolynomial& p);  ///< p′
+PHRAME_API long degree(const SurdPolynomial& p);                   ///< −1 for 0
 /// The coefficient of tᵏ.
-Surd coefficient(const SurdPolynomial& p, long k);
+PHRAME_API Surd coefficient(const SurdPolynomial& p, long k);
 
 /// p(x).
-Surd evaluate(const Polynomial& p, const Surd& x);
+PHRAME_API Surd evaluate(const Polynomial& p, const Surd& x);
 
 /// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
 /// rational number.
@@ -149,7 +150,7 @@ struct QuadraticNumber {
 
 /// A root of p of degree 1 or 2, the one with b ≥ 0; p irreducible over ℚ. Throws DomainError for
 /// other degrees.
-QuadraticNumber quadratic_root(const Polynomial& p);
+PHRAME_API QuadraticNumber quadratic_root(const Polynomial& p);
 
 /// x = root²·rest for an integer x ≥ 1; rest is 1 where x is a square, and has no square factor p²
 /// with p ≤ 10⁴. (To find all square factors is as hard as to factor x.)
@@ -158,7 +159,7 @@ struct SquareFactor {
   Integer rest;  ///< what stays under it, ≥ 1
 };
 /// Throws DomainError for x < 1. Cost: divisions by the numbers up to 10⁴.
-SquareFactor split_square(const Integer& x);
+PHRAME_API SquareFactor split_square(const Integer& x);
 
 template <class C>
 void SurdSum<C>::add(const C& c, const Integer& d) {

@@ -1,11 +1,13 @@
 #pragma once
 #include <exception>
 
+#include "phrame/export.hpp"
+
 namespace phrame {
 
 /// Thrown in a computation whose time is over, or when all are stopped. No Error, so that nobody
 /// takes it for an answer and tries another way.
-class Stopped : public std::exception {
+class PHRAME_API Stopped : public std::exception {
  public:
   const char* what() const noexcept override;
 };
@@ -14,7 +16,7 @@ class Stopped : public std::exception {
 /// thrown, again and again. It is thrown where FLINT and Arb ask for memory, if
 /// throw_when_out_of_memory() was called, with the same loss as there, and by require_time(). One
 /// of these a thread.
-class TimeLimit {
+class PHRAME_API TimeLimit {
  public:
   explicit TimeLimit(double seconds);
   ~TimeLimit();
@@ -23,9 +25,9 @@ class TimeLimit {
 };
 
 /// Stops what all threads compute, for good; a handler of signals may call it.
-void stop_all() noexcept;
+PHRAME_API void stop_all() noexcept;
 
 /// Throws Stopped where the time is over, unless an exception is on its way. Costs a nanosecond.
-void require_time();
+PHRAME_API void require_time();
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/angle.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/other_form.hpp"
 #include "phrame/integrate/pole_table.hpp"
 #include "phrame/ph/curve/path.hpp"
@@ -61,6 +62,6 @@ struct AngleAnswer {
 
 /// Throws DomainError as PathAngle, start_angle(), locate() and, in the style of radicals, as
 /// radical_form(); Undecided, with the name of what it is, where a number cannot be rounded.
-AngleAnswer answer(const NamedPath& path, const AngleQuery& query);
+PHRAME_API AngleAnswer answer(const NamedPath& path, const AngleQuery& query);
 
 }  // namespace phrame

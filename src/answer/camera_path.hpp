@@ -2,6 +2,7 @@
 #include <array>
 
 #include "phrame/answer/frame_table.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -15,13 +16,13 @@ struct CameraPath {
 };
 
 /// What the table of a camera path is asked for: this frame, with a camera's quaternions.
-TableColumns camera_columns(TabulatedFrame frame);
+PHRAME_API TableColumns camera_columns(TabulatedFrame frame);
 
 /// The camera path of a table with such columns, with the numbers of its rows for times, less the
 /// first; with a `duration` > 0, times are those in proportion that end there. Throws InputError
 /// without a place for fewer than two rows, for numbers that do not ascend in the precision of
 /// floats, which most programs have for times, and for places that no float is near to.
-CameraPath camera_path(const FrameTable& table, const std::vector<Rational>& numbers,
-                       const std::optional<Rational>& duration);
+PHRAME_API CameraPath camera_path(const FrameTable& table, const std::vector<Rational>& numbers,
+                                  const std::optional<Rational>& duration);
 
 }  // namespace phrame

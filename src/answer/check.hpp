@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
@@ -21,6 +22,6 @@ struct CheckAnswer {
 };
 
 /// Throws as check_frames().
-CheckAnswer answer(const NamedPath& path, const CheckQuery& query);
+PHRAME_API CheckAnswer answer(const NamedPath& path, const CheckQuery& query);
 
 }  // namespace phrame

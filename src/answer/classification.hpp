@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/proof/classify.hpp"
 
 namespace phrame {
@@ -13,6 +14,6 @@ struct ClassificationAnswer {
 };
 
 /// Throws as classify().
-ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
+PHRAME_API ClassificationAnswer answer(const NamedPath& path, const ClassificationQuery& query);
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
@@ -34,11 +35,12 @@ struct CompiledAnswer {
 };
 
 /// Throws as PathAngle, start_angle(), CompiledAngle and CompiledFrames.
-CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
+PHRAME_API CompiledAnswer answer(const NamedPath& path, const CompiledQuery& query);
 
 /// @{ With rounding, what is computed from the polynomials in doubles is off by at most so much:
-double angle_error(const CompiledAnswer& answer);      ///< in radians
-double component_error(const CompiledAnswer& answer);  ///< of a frame vector; 0 without a rotation
+PHRAME_API double angle_error(const CompiledAnswer& answer);  ///< in radians
+PHRAME_API double component_error(
+    const CompiledAnswer& answer);  ///< of a frame vector; 0 without a rotation
 /// @}
 
 }  // namespace phrame

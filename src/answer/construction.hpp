@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/curve/named.hpp"
@@ -33,7 +34,7 @@ struct NamedKind {
   /// Are derivatives wanted at the ends of open curves only, those between being a consequence?
   bool is_through_points = false;
 };
-const std::vector<NamedKind>& curve_kinds();  ///< all kinds
+PHRAME_API const std::vector<NamedKind>& curve_kinds();  ///< all kinds
 
 /// Which exact PH curve meets these data, as nearly as asked?
 struct ConstructQuery {
@@ -75,6 +76,6 @@ struct ConstructionAnswer {
 };
 
 /// Throws InputError for what this kind does not take, DomainError where there is no such curve.
-ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query);
+PHRAME_API ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query);
 
 }  // namespace phrame

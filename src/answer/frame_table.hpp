@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
@@ -82,18 +83,18 @@ struct FrameTable {
 /// rotation-minimizing frame at an irrational t is half way between two, and where any number is
 /// too near to that for the limit of round_to_double(), DomainError as start_angle(), and for a
 /// frame of minimal twist that is not given.
-FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
-                       const std::vector<Place>& at);
+PHRAME_API FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
+                                  const std::vector<Place>& at);
 
 /// The same of a PH curve, by the angle to its Euler–Rodrigues frame.
-FrameTable frame_table(const Curve& curve, const TableColumns& columns,
-                       const std::vector<RealAlgebraic>& at);
+PHRAME_API FrameTable frame_table(const Curve& curve, const TableColumns& columns,
+                                  const std::vector<RealAlgebraic>& at);
 
 /// The same with frames only, at rational t.
-FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
-                       const std::vector<Rational>& at);
+PHRAME_API FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
+                                  const std::vector<Rational>& at);
 
 /// What the columns are called: "t", "x", "y", "z", "e1x", …
-std::vector<std::string> names_of(const TableColumns& columns);
+PHRAME_API std::vector<std::string> names_of(const TableColumns& columns);
 
 }  // namespace phrame

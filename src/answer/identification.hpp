@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/named.hpp"
@@ -28,7 +29,7 @@ struct PathIdentification {
 
 /// Where the curve is not Pythagorean, but ε is given, what is that near to it. Throws as
 /// identify().
-IdentificationAnswer answer(const NamedHodograph& query,
-                            const std::optional<Rational>& epsilon = std::nullopt);
+PHRAME_API IdentificationAnswer answer(const NamedHodograph& query,
+                                       const std::optional<Rational>& epsilon = std::nullopt);
 
 }  // namespace phrame

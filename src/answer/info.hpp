@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -43,6 +44,6 @@ struct InfoAnswer {
 };
 
 /// Throws Undecided, with the name of what it is, where a number cannot be rounded.
-InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
+PHRAME_API InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
 
 }  // namespace phrame

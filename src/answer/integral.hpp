@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/integrate/other_form.hpp"
@@ -51,6 +52,6 @@ struct IntegralAnswer {
 
 /// Throws DomainError as radical_form() and path_integral(), Undecided where the value cannot be
 /// rounded.
-IntegralAnswer answer(const IntegralQuery& query);
+PHRAME_API IntegralAnswer answer(const IntegralQuery& query);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/frame_table.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/along/feedrate.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -17,9 +18,9 @@ struct InterpolationQuery {
 /// interpolation/1. Throws DomainError for a period ≤ 0 and as TravelTime, InputError without a
 /// place where there are too many rows, and with one where a number is too large for a double,
 /// Undecided where a precision limit is reached.
-FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
+PHRAME_API FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
 
 /// Throws InputError where `ticks` and the end are too many rows.
-void require_few_rows(const InterpolationQuery& query, const Integer& ticks);
+PHRAME_API void require_few_rows(const InterpolationQuery& query, const Integer& ticks);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/interpolation.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
@@ -37,6 +38,6 @@ struct MachinePath {
 /// to the one before, so that angles go on and on; the first has A ≥ 0 and −180° < C ≤ 180°. Poles
 /// are where A is a multiple of 180° once it is rounded. Throws as the interpolation does, as
 /// start_angle(), and InputError at "places" where a feed rounds to 0.
-MachinePath answer(const NamedPath& named, const MachineQuery& query);
+PHRAME_API MachinePath answer(const NamedPath& named, const MachineQuery& query);
 
 }  // namespace phrame

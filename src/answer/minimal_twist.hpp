@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
 #include "phrame/answer/twist_frame.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
@@ -53,6 +54,6 @@ struct MinimalTwistAnswer {
 
 /// Throws DomainError as minimal_twist(), and as twist_frame() where a rational frame is needed;
 /// Undecided, naming what it is, where a number cannot be rounded.
-MinimalTwistAnswer answer(const NamedPath& path, const MinimalTwistQuery& query);
+PHRAME_API MinimalTwistAnswer answer(const NamedPath& path, const MinimalTwistQuery& query);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/offset.hpp"
@@ -67,6 +68,6 @@ struct OffsetAnswer {
 };
 
 /// Throws DomainError for a path that is not PH or in no plane z = const, and for a distance 0.
-OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
+PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 
 }  // namespace phrame

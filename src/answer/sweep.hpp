@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "phrame/algebra/angle.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/sweep/profile.hpp"
@@ -46,6 +47,6 @@ struct SweepAnswer {
 /// of a closed path, for a tolerance of normals that is not between 0 and π/2, or beside a number
 /// of sections, and for a closed path with a twist that is no multiple of whole turns or a
 /// scale that differs at its ends.
-SweepAnswer answer(const NamedPath& named, const SweepQuery& query);
+PHRAME_API SweepAnswer answer(const NamedPath& named, const SweepQuery& query);
 
 }  // namespace phrame

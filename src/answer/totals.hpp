@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -30,7 +31,7 @@ enum class Quantity {
 };
 
 /// "twist of the ERF".
-const char* name_of(Quantity quantity);
+PHRAME_API const char* name_of(Quantity quantity);
 
 /// All totals of a path.
 struct TotalsAnswer {
@@ -52,6 +53,6 @@ struct TotalsAnswer {
 
 /// Throws Undecided, naming the quantity, where one cannot be rounded. That what a closed path has
 /// is undecided is said in its row, as what is without a value along formulas.
-TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
+PHRAME_API TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/error_size.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
@@ -42,6 +43,6 @@ struct TwistFrameAnswer {
 };
 
 /// Throws Undecided, naming what it is that cannot be rounded.
-TwistFrameAnswer rounded(const TwistFrame& frame, const MinimalTwist& mtf, long digits);
+PHRAME_API TwistFrameAnswer rounded(const TwistFrame& frame, const MinimalTwist& mtf, long digits);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/error_size.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/twist/frame_weight.hpp"
 #include "phrame/ph/twist/wronskian_planes.hpp"
@@ -49,6 +50,6 @@ struct WronskianAnswer {
 /// Throws DomainError for splines, for preimages of degrees other than 1 and 2, where h = 0, and
 /// where there is no such weight; Undecided, naming what it is, where a number cannot be rounded or
 /// two pairs are equally good.
-WronskianAnswer answer(const NamedPhPath& path, const WronskianQuery& query);
+PHRAME_API WronskianAnswer answer(const NamedPhPath& path, const WronskianQuery& query);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -16,7 +17,7 @@ struct LogSum {
 };
 
 /// Is v = t − x, so that the sum is Σ c(z) · log(t − z) over the roots z of q themselves?
-bool is_over_poles(const LogSum& sum);
+PHRAME_API bool is_over_poles(const LogSum& sum);
 
 /// F = polynomial + rational + Σ logs, up to a constant [Bronstein 2005, §2.5].
 /// Two antiderivatives differ by a constant iff their derivatives are equal.
@@ -29,12 +30,12 @@ struct Antiderivative {
 };
 
 /// @{ F′ ∈ ℚ(t), computed exactly in ℚ[x]/(q): no root is approximated.
-RationalFunction differentiate(const LogSum& sum);
-RationalFunction differentiate(const Antiderivative& F);
+PHRAME_API RationalFunction differentiate(const LogSum& sum);
+PHRAME_API RationalFunction differentiate(const Antiderivative& F);
 /// @}
 
 /// F(b) − F(a) without the logarithms. Throws DomainError where that has a pole at an end.
-Rational difference_without_logarithms(const Antiderivative& F, const Rational& a,
-                                       const Rational& b);
+PHRAME_API Rational difference_without_logarithms(const Antiderivative& F, const Rational& a,
+                                                  const Rational& b);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/exact_value.hpp"
@@ -23,15 +24,18 @@ enum class AtPoles {
 
 /// ∫ f from a to b, of any order. Throws DomainError where it does not exist, saying why: a pole
 /// in [a, b], named by its isolating interval, or f too large at an infinite end.
-DefiniteIntegral definite_integral(const RationalFunction& f, const Endpoint& a, const Endpoint& b,
-                                   AtPoles at_poles = AtPoles::refuse);
+PHRAME_API DefiniteIntegral definite_integral(const RationalFunction& f, const Endpoint& a,
+                                              const Endpoint& b,
+                                              AtPoles at_poles = AtPoles::refuse);
 
 /// The same where an antiderivative F of f is known.
-DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
-                                   const Endpoint& a, const Endpoint& b, AtPoles at_poles);
+PHRAME_API DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
+                                              const Endpoint& a, const Endpoint& b,
+                                              AtPoles at_poles);
 
 /// The same for the derivative of F.
-DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,
-                                   AtPoles at_poles = AtPoles::refuse);
+PHRAME_API DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a,
+                                              const Endpoint& b,
+                                              AtPoles at_poles = AtPoles::refuse);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -16,16 +17,16 @@ using Endpoint = std::variant<Rational, RealAlgebraic, Infinity>;
 inline bool is_infinite(const Endpoint& end) { return std::holds_alternative<Infinity>(end); }
 
 /// The number, of a finite end.
-std::optional<RealAlgebraic> finite(const Endpoint& end);
+PHRAME_API std::optional<RealAlgebraic> finite(const Endpoint& end);
 
 /// A ball around a finite end, as narrow as enclose(RealAlgebraic, bits). Throws DomainError for an
 /// infinite one.
-RealBall enclose(const Endpoint& end, long bits);
+PHRAME_API RealBall enclose(const Endpoint& end, long bits);
 
 /// Of a finite end, those of its number; of an infinite one, 0.
-long bits_of(const Endpoint& end);
+PHRAME_API long bits_of(const Endpoint& end);
 
 /// From −∞ over the real numbers to ∞.
-std::strong_ordering compare(const Endpoint& a, const Endpoint& b);
+PHRAME_API std::strong_ordering compare(const Endpoint& a, const Endpoint& b);
 
 }  // namespace phrame

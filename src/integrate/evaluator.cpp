@@ -32,7 +32,7 @@ long largest_precision(long bits, const Endpoint& a, const Endpoint& b) {
 }  // namespace
 
 /// F = polynomial + rational + Σ c(z) log(t − z).
-struct Evaluator::Function {
+struct PHRAME_INSIDE Evaluator::Function {
   /// What was integrated on the automatic route, once.
   struct Integrated {
     Rational a;

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
@@ -28,7 +29,7 @@ enum class Route {
 /// where the principal logarithm is the right branch, because t − z stays in one open half plane
 /// (for real z: keeps its sign) on the way from a to b. Copies are cheap and share the
 /// poles, and any thread may ask them; to move one is to copy it.
-class Evaluator {
+class PHRAME_API Evaluator {
  public:
   Evaluator() : Evaluator(Antiderivative{}, RationalFunction{}) {}  ///< of F = 0
   /// Of F.

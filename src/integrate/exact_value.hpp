@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -26,16 +27,16 @@ struct ExactValue {
 };
 
 /// This number.
-ExactValue exact_value(const Rational& x);
+PHRAME_API ExactValue exact_value(const Rational& x);
 /// Is it a rational number? Decided, as π, the logarithms and the arctangents, once those that add
 /// up to a rational multiple of π are gone, make a transcendental number [Baker 1975].
-bool is_rational(const ExactValue& x);
+PHRAME_API bool is_rational(const ExactValue& x);
 
 /// The sum; no value where several have an irrational multiple of π.
-std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values);
+PHRAME_API std::optional<ExactValue> sum_of(const std::vector<ExactValue>& values);
 /// Throws DomainError where both have an irrational multiple of π.
-ExactValue operator+(const ExactValue& a, const ExactValue& b);
+PHRAME_API ExactValue operator+(const ExactValue& a, const ExactValue& b);
 /// c·x.
-ExactValue operator*(const Rational& c, const ExactValue& x);
+PHRAME_API ExactValue operator*(const Rational& c, const ExactValue& x);
 
 }  // namespace phrame

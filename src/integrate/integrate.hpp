@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
 namespace phrame {
@@ -21,12 +22,12 @@ struct AlgebraicPart {
 };
 
 /// By division and Hermite's reduction: nothing is factored, and no form of the logarithms chosen.
-AlgebraicPart algebraic_part(const RationalFunction& f);
+PHRAME_API AlgebraicPart algebraic_part(const RationalFunction& f);
 
 /// ∫ f dt for any f ∈ ℚ(t). The polynomial part by division, the rational part by Hermite's
 /// reduction, the logarithms in the form asked for. The result is checked before it is returned:
 /// differentiate(result) == f.
 /// Cost: dominated by the factorization of the denominator and a modular inverse of its degree.
-Antiderivative integrate(const RationalFunction& f, Form form = Form::automatic);
+PHRAME_API Antiderivative integrate(const RationalFunction& f, Form form = Form::automatic);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 
@@ -18,6 +19,6 @@ enum class Style {
 using OtherForm = std::variant<std::monostate, TextbookForm, RealForm, RadicalForm>;
 
 /// Throws DomainError as radical_form().
-OtherForm other_form(const Antiderivative& F, Style style);
+PHRAME_API OtherForm other_form(const Antiderivative& F, Style style);
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
@@ -12,14 +13,14 @@ struct PiValue {
 };
 
 /// The number. Its enclosures are finite only from some precision on.
-Real to_real(const PiValue& x);
+PHRAME_API Real to_real(const PiValue& x);
 
 /// An Endpoint, or one that is no algebraic number.
 using PathEnd = std::variant<Rational, RealAlgebraic, Infinity, PiValue>;
 
 /// definite_integral() between ends of any kind, which throws as that does. Between ends with a π
 /// the value is known in finite terms only where it is seen to be rational.
-DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a, const PathEnd& b,
-                               AtPoles at_poles = AtPoles::refuse);
+PHRAME_API DefiniteIntegral path_integral(const RationalFunction& f, const PathEnd& a,
+                                          const PathEnd& b, AtPoles at_poles = AtPoles::refuse);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "phrame/algebra/ball.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
 namespace phrame {
@@ -33,6 +34,6 @@ struct PoleTable {
 
 /// The poles of F′ and their residues. No value where a sum of F is not over its poles, and where
 /// there are none. More than `most` are only counted.
-std::optional<PoleTable> pole_table(const Antiderivative& F, long most);
+PHRAME_API std::optional<PoleTable> pole_table(const Antiderivative& F, long most);
 
 }  // namespace phrame

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/radical.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
 namespace phrame {
@@ -27,7 +28,7 @@ struct RadicalForm {
 };
 
 /// The same up to a constant, with the roots as roots of polynomials.
-Antiderivative antiderivative(const RadicalForm& F);
+PHRAME_API Antiderivative antiderivative(const RadicalForm& F);
 
 /// F in radicals; F may be in any form. An irreducible factor d of the denominator of F′ gives
 ///   c·log d(t), where its residue c is rational,
@@ -35,6 +36,6 @@ Antiderivative antiderivative(const RadicalForm& F);
 ///   a sum over its residues, where these have a degree ≤ 4,
 /// in this order of preference. Throws DomainError for any other, which the message names.
 /// Checked before it is returned: the derivative is F′, exactly, and the radicals are the roots.
-RadicalForm radical_form(const Antiderivative& F);
+PHRAME_API RadicalForm radical_form(const Antiderivative& F);
 
 }  // namespace phrame

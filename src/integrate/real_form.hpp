@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/surd.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
 namespace phrame {
@@ -48,7 +49,7 @@ struct RealForm {
 /// over the poles z, over which
 ///   Σ_{z real} c·log|t − z| + Σ_{Im z > 0} (Re c·log((t − x)² + y²) − 2 Im c·arctan((t − x)/y)),
 /// c = residue(z), z = x + iy [Farouki 2003, end of §4].
-RealForm real_form(const Antiderivative& F);
+PHRAME_API RealForm real_form(const Antiderivative& F);
 
 /// The form that a book prints.
 struct TextbookForm {
@@ -59,13 +60,13 @@ struct TextbookForm {
 /// The real form of F as far as it is short, checked likewise. Sums over roots are the fractions
 /// that real_form() writes so, those with numbers of more than 40 digits, and those with more than
 /// three poles to a residue that are more than one arctangent.
-TextbookForm textbook_form(const Antiderivative& F);
+PHRAME_API TextbookForm textbook_form(const Antiderivative& F);
 
 /// The sums of F, written over the poles, not the residues: continuous between the real poles with
 /// principal logarithms.
-std::vector<LogSum> sums_over_poles(const TextbookForm& F);
+PHRAME_API std::vector<LogSum> sums_over_poles(const TextbookForm& F);
 
 /// Exactly. Precondition: what has a √d comes with its conjugates, as in a result of real_form().
-RationalFunction differentiate(const RealForm& form);
+PHRAME_API RationalFunction differentiate(const RealForm& form);
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -18,16 +19,16 @@ struct RootDisc {
 };
 
 /// Have the two discs of roots no point in common?
-bool are_apart(const RootDisc& a, const RootDisc& b);
+PHRAME_API bool are_apart(const RootDisc& a, const RootDisc& b);
 
 /// Discs for all roots of the squarefree q above the real axis, from left to right, that integers
 /// can prove (docs/certificate.md); they depend on nothing but the numbers q, n and bits, so that
 /// every machine finds the same. No value where the grid is too coarse. q has coprime integer
 /// coefficients and no real root, deg n < deg q.
-std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
-                                                long bits);
+PHRAME_API std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
+                                                           long bits);
 
 /// What Σ c(z)·log((t − z)/(−z)) over all roots may be off, with their discs, where |t| ≤ reach.
-Rational log_error(const std::vector<RootDisc>& discs, long bits, const Rational& reach);
+PHRAME_API Rational log_error(const std::vector<RootDisc>& discs, long bits, const Rational& reach);
 
 }  // namespace phrame

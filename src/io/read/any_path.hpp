@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/curve/path.hpp"
@@ -15,10 +16,10 @@ namespace phrame {
 /// A path all of whose segments are PH is read as that, with the same PhPath as read_path(), so
 /// that it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line
 /// 3" or "row 3".
-NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {},
-                        const FileReading& reading = {});
+PHRAME_API NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {},
+                                   const FileReading& reading = {});
 /// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
 /// "phrame": "curve/1".
-NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
+PHRAME_API NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
 
 }  // namespace phrame

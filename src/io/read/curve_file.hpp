@@ -3,6 +3,7 @@
 #include <string_view>
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame {
@@ -25,28 +26,30 @@ struct CurveLimits {
 /// Bézier curve, which is identified as a PH curve or refused. Numbers are read exactly.
 /// `note`, `family` and `expected` are remarks and are skipped.
 /// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
-NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
+PHRAME_API NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document.
-NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
+PHRAME_API NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});
 
 /// Reads a curve/1 file, or a spline/1 file: `segments`, a list of curves, each starting where the
 /// one before ends; `start` may be left out of all but those given by control points. Throws
 /// InputError as read_curve, and with the segment at whose start position or tangent break.
-NamedPhPath read_path(std::string_view text, const CurveLimits& limits = {});
+PHRAME_API NamedPhPath read_path(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document, where a curve may do without "phrame": "curve/1".
-NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits = {});
+PHRAME_API NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits = {});
 
 /// Reads the same files, but where control points are those of no PH curve, it takes one that is at
 /// most ε > 0 away (near_curve); a spline with such a segment is replaced as a whole (near_path).
-std::variant<NamedPhPath, NotNear> read_path_near(std::string_view text, const Rational& epsilon,
-                                                  const CurveLimits& limits = {});
+PHRAME_API std::variant<NamedPhPath, NotNear> read_path_near(std::string_view text,
+                                                             const Rational& epsilon,
+                                                             const CurveLimits& limits = {});
 /// The same as a part of a document.
-std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node, const Rational& epsilon,
-                                                  const CurveLimits& limits = {});
+PHRAME_API std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node,
+                                                             const Rational& epsilon,
+                                                             const CurveLimits& limits = {});
 /// Is it a spline/1 file? Throws InputError where it says no format.
-bool is_spline_file(std::string_view text);
+PHRAME_API bool is_spline_file(std::string_view text);
 
 /// Reads the same files, but does not ask whether a Bézier curve is PH.
-NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
+PHRAME_API NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -21,7 +22,7 @@ struct ExpressionLimits {
 };
 
 /// Letters (Latin or Greek), digits and _, a letter first.
-bool is_variable_name(std::string_view text);
+PHRAME_API bool is_variable_name(std::string_view text);
 
 /// Reads a rational function of one variable over ℚ:
 ///   +  −  *  /  ^ and parentheses; ^ binds tightest and to the right, −x^2 is −(x^2), and its
@@ -33,8 +34,8 @@ bool is_variable_name(std::string_view text);
 /// not x²^3, of which it is not clear what it means. A product needs its sign: 2x and x(x + 1) are
 /// refused, with advice. Throws InputError: for what is not such an expression, for a division by
 /// zero and for what is beyond the limits. Its place is "column N", counted from 1 in characters.
-Expression parse_expression(std::string_view text,
-                            const std::optional<std::string>& variable = std::nullopt,
-                            const ExpressionLimits& limits = {});
+PHRAME_API Expression parse_expression(std::string_view text,
+                                       const std::optional<std::string>& variable = std::nullopt,
+                                       const ExpressionLimits& limits = {});
 
 }  // namespace phrame

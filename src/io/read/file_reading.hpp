@@ -2,10 +2,12 @@
 #include <string>
 #include <string_view>
 
+#include "phrame/export.hpp"
+
 namespace phrame {
 
 /// What is asked of whoever reads a file, beside the limits.
-struct FileReading {
+struct PHRAME_API FileReading {
   /// Of tables and lists of points: rows that miss a number, and points that are those before them,
   /// are left out, and a note says how many. Otherwise the first of them is refused.
   bool skips_invalid = false;

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/formula.hpp"
 
 namespace phrame {
@@ -25,7 +26,7 @@ inline constexpr std::size_t max_formula_length = 100'000;
 ///   one variable, given or the only other name that occurs; with "" given, none may occur.
 /// Throws InputError with the place "column N", counted from 1 in characters. That a function is
 /// undefined somewhere is not seen here.
-GivenFormula parse_formula(std::string_view text,
-                           const std::optional<std::string>& variable = std::nullopt);
+PHRAME_API GivenFormula parse_formula(std::string_view text,
+                                      const std::optional<std::string>& variable = std::nullopt);
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
 namespace phrame {
@@ -54,17 +55,19 @@ struct GivenTable {
 /// Numbers are read exactly. Of more than `at_most` ≥ 2 rows so many are read, from the first to
 /// the last at about equal distances. Throws InputError; its place is "line 3" or "line 3, f2x", in
 /// a .npy file "header", "data", "row 3" or "row 3, f2x".
-GivenTable read_frames(std::string_view bytes, const FrameReading& reading = {},
-                       std::size_t at_most = std::string_view::npos);
+PHRAME_API GivenTable read_frames(std::string_view bytes, const FrameReading& reading = {},
+                                  std::size_t at_most = std::string_view::npos);
 
 /// The columns x, y, z of a table that `reading` names, of numbers all of them.
 /// Precondition: these names are among the reading's, and the table has no others.
-std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading);
+PHRAME_API std::vector<GivenPosition> read_positions(std::string_view bytes,
+                                                     const FrameReading& reading);
 
 /// Other ways to read a table whose convention is not certain, those near `reading` first.
-std::vector<FrameReading> other_readings(const GivenTable& table, const FrameReading& reading);
+PHRAME_API std::vector<FrameReading> other_readings(const GivenTable& table,
+                                                    const FrameReading& reading);
 
 /// As options of `phrame check`: "--quaternion xyzw --tangent-axis z".
-std::string to_options(const FrameReading& reading);
+PHRAME_API std::string to_options(const FrameReading& reading);
 
 }  // namespace phrame

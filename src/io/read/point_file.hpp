@@ -1,6 +1,7 @@
 #pragma once
 #include <string_view>
 
+#include "phrame/export.hpp"
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
@@ -22,14 +23,14 @@ class JsonNode;
 /// form, for fewer than two points, tangents that are 0, parameters that do not increase, and for a
 /// point that is that before it, unless there are derivatives. The place is a JSON pointer, "line
 /// 3", "line 3, y" or "row 3".
-GivenPoints read_points(std::string_view bytes, const FileReading& reading = {});
+PHRAME_API GivenPoints read_points(std::string_view bytes, const FileReading& reading = {});
 /// Reads what points/1 has at these keys, and no others.
-GivenPoints read_points(const JsonNode& node);
+PHRAME_API GivenPoints read_points(const JsonNode& node);
 
 /// What a reader is to be told of the columns of a table, in sentences without a point: which of
 /// another name is the parameter, and which were skipped.
-std::vector<std::string> notes_on_columns(const GivenPoints& given);
+PHRAME_API std::vector<std::string> notes_on_columns(const GivenPoints& given);
 /// Skips a parameter_column that is not to be the parameter.
-void leave_parameters_out(GivenPoints& given, const std::string& why);
+PHRAME_API void leave_parameters_out(GivenPoints& given, const std::string& why);
 
 }  // namespace phrame

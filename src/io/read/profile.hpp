@@ -2,6 +2,7 @@
 #include <optional>
 #include <string_view>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 
 namespace phrame {
@@ -14,12 +15,13 @@ struct ProfileTolerance {
 
 /// "circle:R", "polygon:N,R" (regular, with a corner on the axis of f₂) or "rectangle:W,H"; no
 /// value for what is none of these words with a ':'. Throws InputError.
-std::optional<Profile> parse_profile(std::string_view text, const ProfileTolerance& tolerance = {});
+PHRAME_API std::optional<Profile> parse_profile(std::string_view text,
+                                                const ProfileTolerance& tolerance = {});
 
 /// A polygon or outline from the bytes of a file: a table of x, y, a corner a row, an empty line
 /// between two rings, or an SVG file or path data; a subpath that is not closed is closed by a
 /// line. One ring or subpath goes around all others, which are holes, whatever fill-rule says. The
 /// y of SVG, which is down there, is up. Throws InputError, its place line:column or "line 3".
-Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
+PHRAME_API Profile read_profile(std::string_view bytes, const ProfileTolerance& tolerance = {});
 
 }  // namespace phrame

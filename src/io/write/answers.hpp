@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "phrame/export.hpp"
 #include "phrame/fwd.hpp"
 
 namespace phrame {
@@ -12,63 +13,63 @@ namespace phrame {
 // frame_table.hpp.
 
 /// @{ The closed forms, or the integral, and the values: angle/1, of a spline spline-angle/1.
-std::string to_text(const AngleAnswer& answer);
-std::string to_json(const AngleAnswer& answer);
-std::string to_json_line(const AngleAnswer& answer);  ///< on one line, without its end
-std::string to_latex(const AngleAnswer& answer);
+PHRAME_API std::string to_text(const AngleAnswer& answer);
+PHRAME_API std::string to_json(const AngleAnswer& answer);
+PHRAME_API std::string to_json_line(const AngleAnswer& answer);  ///< on one line, without its end
+PHRAME_API std::string to_latex(const AngleAnswer& answer);
 /// @}
 /// @{ classify/1, of a spline spline-classify/1.
-std::string to_text(const ClassificationAnswer& answer);
-std::string to_json(const ClassificationAnswer& answer);
-std::string to_latex(const ClassificationAnswer& answer);
+PHRAME_API std::string to_text(const ClassificationAnswer& answer);
+PHRAME_API std::string to_json(const ClassificationAnswer& answer);
+PHRAME_API std::string to_latex(const ClassificationAnswer& answer);
 /// @}
 /// @{ construct/1; in LaTeX rows of an align*, and the segments as a tabular.
-std::string to_text(const ConstructionAnswer& answer);
-std::string to_json(const ConstructionAnswer& answer);
-std::string to_latex(const ConstructionAnswer& answer);
+PHRAME_API std::string to_text(const ConstructionAnswer& answer);
+PHRAME_API std::string to_json(const ConstructionAnswer& answer);
+PHRAME_API std::string to_latex(const ConstructionAnswer& answer);
 /// @}
 /// @{ identify/1.
-std::string to_text(const IdentificationAnswer& answer);
-std::string to_json(const IdentificationAnswer& answer);
-std::string to_latex(const IdentificationAnswer& answer);
-std::string to_text(const PathIdentification& found);
-std::string to_json(const PathIdentification& found);
-std::string to_latex(const PathIdentification& found);
+PHRAME_API std::string to_text(const IdentificationAnswer& answer);
+PHRAME_API std::string to_json(const IdentificationAnswer& answer);
+PHRAME_API std::string to_latex(const IdentificationAnswer& answer);
+PHRAME_API std::string to_text(const PathIdentification& found);
+PHRAME_API std::string to_json(const PathIdentification& found);
+PHRAME_API std::string to_latex(const PathIdentification& found);
 /// @}
 /// @{ info/1, of a spline spline-info/1.
-std::string to_text(const InfoAnswer& answer);
-std::string to_json(const InfoAnswer& answer);
-std::string to_latex(const InfoAnswer& answer);
+PHRAME_API std::string to_text(const InfoAnswer& answer);
+PHRAME_API std::string to_json(const InfoAnswer& answer);
+PHRAME_API std::string to_latex(const InfoAnswer& answer);
 /// @}
 /// @{ The closed form and the value: integral/1. That the derivative was checked can be left unsaid
 /// where it was said before; it always is.
-std::string to_text(const IntegralAnswer& answer, bool says_checked = true);
-std::string to_json(const IntegralAnswer& answer);
-std::string to_latex(const IntegralAnswer& answer);
+PHRAME_API std::string to_text(const IntegralAnswer& answer, bool says_checked = true);
+PHRAME_API std::string to_json(const IntegralAnswer& answer);
+PHRAME_API std::string to_latex(const IntegralAnswer& answer);
 /// @}
 /// @{ totals/1, of a spline spline-totals/1.
-std::string to_text(const TotalsAnswer& answer);
-std::string to_json(const TotalsAnswer& answer);
-std::string to_latex(const TotalsAnswer& answer);
+PHRAME_API std::string to_text(const TotalsAnswer& answer);
+PHRAME_API std::string to_json(const TotalsAnswer& answer);
+PHRAME_API std::string to_latex(const TotalsAnswer& answer);
 /// @}
 /// @{ offset/1.
-std::string to_text(const OffsetAnswer& answer);
-std::string to_json(const OffsetAnswer& answer);
-std::string to_latex(const OffsetAnswer& answer);
+PHRAME_API std::string to_text(const OffsetAnswer& answer);
+PHRAME_API std::string to_json(const OffsetAnswer& answer);
+PHRAME_API std::string to_latex(const OffsetAnswer& answer);
 /// The offsets as a curve file, or, where they are several paths, one on each line.
-std::string write_offsets(const OffsetAnswer& answer);
+PHRAME_API std::string write_offsets(const OffsetAnswer& answer);
 /// @}
 /// @{ mtf/1.
-std::string to_text(const MinimalTwistAnswer& answer);
-std::string to_json(const MinimalTwistAnswer& answer);
-std::string to_latex(const MinimalTwistAnswer& answer);
+PHRAME_API std::string to_text(const MinimalTwistAnswer& answer);
+PHRAME_API std::string to_json(const MinimalTwistAnswer& answer);
+PHRAME_API std::string to_latex(const MinimalTwistAnswer& answer);
 /// @}
 /// @{ wronskian/1.
-std::string to_text(const WronskianAnswer& answer);
-std::string to_json(const WronskianAnswer& answer);
-std::string to_latex(const WronskianAnswer& answer);
+PHRAME_API std::string to_text(const WronskianAnswer& answer);
+PHRAME_API std::string to_json(const WronskianAnswer& answer);
+PHRAME_API std::string to_latex(const WronskianAnswer& answer);
 /// @}
 /// A line for each statement of a certificate, and how many are not proved.
-std::string to_text(const std::vector<Statement>& statements);
+PHRAME_API std::string to_text(const std::vector<Statement>& statements);
 
 }  // namespace phrame

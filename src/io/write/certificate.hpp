@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
@@ -8,7 +9,7 @@ namespace phrame {
 
 /// A certificate/1 file (docs/certificate.md). `name` is that of the curve and may be empty; `near`
 /// is told in a note where the curve stands for another.
-std::string write_certificate(const Certificate& certificate, const std::string& name,
-                              const std::optional<Nearness>& near = {});
+PHRAME_API std::string write_certificate(const Certificate& certificate, const std::string& name,
+                                         const std::optional<Nearness>& near = {});
 
 }  // namespace phrame

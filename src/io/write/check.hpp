@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "phrame/answer/check.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -23,9 +24,10 @@ struct TableReading {
 };
 
 /// The verdict and its reason in a line.
-std::string summary(const CheckAnswer& answer);
+PHRAME_API std::string summary(const CheckAnswer& answer);
 /// For reading, Unicode.
-std::string to_text(const CheckAnswer& answer, const TableReading& reading);
-std::string to_json(const CheckAnswer& answer, const TableReading& reading);  ///< check/1
+PHRAME_API std::string to_text(const CheckAnswer& answer, const TableReading& reading);
+PHRAME_API std::string to_json(const CheckAnswer& answer,
+                               const TableReading& reading);  ///< check/1
 
 }  // namespace phrame

@@ -2,18 +2,19 @@
 #include <string>
 #include <vector>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
 /// A curve/1 file that read_curve reads as the same curve, in the power basis.
-std::string write_curve(const NamedCurve& named);
+PHRAME_API std::string write_curve(const NamedCurve& named);
 /// The same of a path of PH and rational curves: a spline/1 file where it is a spline. Only its
 /// first PH segment says where it starts, the others start where the one before ends. A rational
 /// segment is written as control points with weights, where these are all > 0, as curve/1 wants
 /// them, else as polynomials x, y, z over w. Throws DomainError for a segment by formulas.
-std::string write_path(const NamedPath& named);
+PHRAME_API std::string write_path(const NamedPath& named);
 /// Of paths, a file each on one line, which `phrame batch` reads; of a single one as above.
-std::string write_paths(const std::vector<NamedPath>& paths);
+PHRAME_API std::string write_paths(const std::vector<NamedPath>& paths);
 
 }  // namespace phrame

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "phrame/algebra/surd.hpp"
-#include "phrame/integrate/endpoint.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/text.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/sweep/mesh.hpp"
 
 namespace phrame {
@@ -10,13 +11,13 @@ namespace phrame {
 // other numbers are rounded to such: in_floats() is that beforehand, with a bound.
 
 /// Wavefront OBJ: text, coordinates in the fewest digits that are theirs.
-std::string to_obj(const Mesh& mesh);
+PHRAME_API std::string to_obj(const Mesh& mesh);
 /// Binary PLY with coordinates in doubles.
-std::string to_ply(const Mesh& mesh);
+PHRAME_API std::string to_ply(const Mesh& mesh);
 /// Binary STL, with coordinates in floats.
-std::string to_stl(const Mesh& mesh);
+PHRAME_API std::string to_stl(const Mesh& mesh);
 /// glTF 2.0 in one binary file, with coordinates in floats, as they are, of which glTF takes y for
 /// up, beside a translation to the origin, rounded to doubles.
-std::string to_glb(const Mesh& mesh);
+PHRAME_API std::string to_glb(const Mesh& mesh);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -10,16 +11,17 @@ namespace phrame {
 struct IncreasingFunction;
 
 /// ∫₀ᵗ fσ: the arc length from 0 to t > 0 where f ≥ 0 between them, exact.
-Polynomial arc_length(const Curve& curve);
+PHRAME_API Polynomial arc_length(const Curve& curve);
 /// ∫ |f|σ from a to b, a ≤ b; no value where f changes sign between them.
-std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const Rational& b);
+PHRAME_API std::optional<Rational> arc_length(const Curve& curve, const Rational& a,
+                                              const Rational& b);
 
 /// Does f keep its sign on [0, 1]? Then it has an ArcLength.
-bool has_polynomial_length(const Curve& curve);
+PHRAME_API bool has_polynomial_length(const Curve& curve);
 
 /// The arc length s(t) = ∫₀ᵗ |f|σ of the segment [0, 1], a strictly increasing polynomial, and its
 /// inverse [Farouki 2008].
-class ArcLength {
+class PHRAME_API ArcLength {
  public:
   /// Throws DomainError where f changes sign on [0, 1], since |f|σ is then no polynomial.
   explicit ArcLength(const Curve& curve);

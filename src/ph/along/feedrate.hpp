@@ -5,6 +5,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -28,22 +29,23 @@ struct Feedrate {
 /// V > 0 as a function of the quantity, which goes from 0 to `end`. Throws DomainError where it is
 /// 0, infinite or negative there, decided exactly, with `place_of(x)` of the first such x;
 /// Undecided where the end is not told from it.
-void require_positive(const RationalFunction& speed, const Real& end,
-                      const std::function<std::string(const RealAlgebraic& x)>& place_of);
+PHRAME_API void require_positive(
+    const RationalFunction& speed, const Real& end,
+    const std::function<std::string(const RealAlgebraic& x)>& place_of);
 /// The same of a function of the parameter of a segment that starts at t = `start`.
-void require_positive_along(const RationalFunction& speed, const Rational& start);
+PHRAME_API void require_positive_along(const RationalFunction& speed, const Rational& start);
 /// V(0), where the curvature is 0 all along. Throws DomainError where that is not positive.
-Rational speed_without_curvature(const RationalFunction& speed);
+PHRAME_API Rational speed_without_curvature(const RationalFunction& speed);
 
 /// V of the parameter of the path, which is t + start, or of the curvature, as a function of the
 /// parameter t of a PH curve. Throws DomainError where the curvature is no rational function
 /// (signed_curvature() says why).
-RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate,
-                             const Rational& start = 0);
+PHRAME_API RationalFunction speed_along(const Curve& curve, const Feedrate& feedrate,
+                                        const Rational& start = 0);
 /// |f|σ/V, the rate dT/dt at which time passes. Throws DomainError as above, where f changes sign
 /// on [0, 1], and where V is not positive and finite on all of [0, 1]: decided exactly, with the
 /// place of the zero or the pole.
-RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
-                                  const Rational& start = 0);
+PHRAME_API RationalFunction travel_time_rate(const Curve& curve, const Feedrate& feedrate,
+                                             const Rational& start = 0);
 
 }  // namespace phrame

@@ -6,6 +6,7 @@
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -29,26 +30,26 @@ struct FrameAngle {
 };
 
 /// The principal argument of z ≠ 0, in (−π, π].
-FrameAngle angle_of(const GaussianRational& z);
+PHRAME_API FrameAngle angle_of(const GaussianRational& z);
 
 /// The angle over π where that is rational; no value where it is not: decided exactly.
-std::optional<Rational> over_pi(const FrameAngle& angle);
+PHRAME_API std::optional<Rational> over_pi(const FrameAngle& angle);
 
 /// @{ b − a, and the sum, whole turns included.
-FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
-FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
+PHRAME_API FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
+PHRAME_API FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
 /// @}
 
 /// 1 at t = 0 and z at t = 1, straight on and not through 0, so that its argument turns by arg z;
 /// for the z of a FrameAngle.
-GaussianPolynomial path_to(const GaussianRational& z);
+PHRAME_API GaussianPolynomial path_to(const GaussianRational& z);
 
 /// z ∈ ℚ(i) whose argument is the angle, up to whole turns; no value where there is none: decided
 /// exactly.
-std::optional<GaussianRational> direction_of(const FrameAngle& angle);
+PHRAME_API std::optional<GaussianRational> direction_of(const FrameAngle& angle);
 
 /// Exact where the angle is rational, else known to be irrational: decided exactly.
-Real to_real(const FrameAngle& angle);
+PHRAME_API Real to_real(const FrameAngle& angle);
 
 /// The angle that a frame starts at: exactly, where that is known, and its value.
 struct StartAngle {
@@ -73,11 +74,11 @@ struct AngleTerms {
   Angle angle;                       ///< π·half_turns + radians
   std::optional<GaussianInteger> z;  ///< what the argument is of
 };
-AngleTerms terms(const FrameAngle& angle);  ///< the fewest of them
+PHRAME_API AngleTerms terms(const FrameAngle& angle);  ///< the fewest of them
 
 /// "pi/4", "atan2(4, 3)", "1/3 + atan2(-1, 2)".
-std::string to_string(const FrameAngle& angle);
+PHRAME_API std::string to_string(const FrameAngle& angle);
 /// Writes to_string(angle).
-std::ostream& operator<<(std::ostream& out, const FrameAngle& angle);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const FrameAngle& angle);
 
 }  // namespace phrame

@@ -63,7 +63,7 @@ void require_on_segment(const Real& t) {
 
 }  // namespace
 
-struct PathAngle::State {
+struct PHRAME_INSIDE PathAngle::State {
   /// What an angle is measured from, and how its closed forms are written.
   struct Measure {
     Reference reference;

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/place.hpp"
 
@@ -16,7 +17,7 @@ namespace phrame {
 /// Along a PH curve it has a closed form, RmfAngle; along others its value is certain to any number
 /// of digits. Copies are cheap and share what was found; any thread may ask them. To move one is to
 /// copy it.
-class PathAngle {
+class PHRAME_API PathAngle {
  public:
   /// To the Euler–Rodrigues frame, where all segments are PH curves, else to that of up_vector().
   explicit PathAngle(const Path& path);
@@ -88,10 +89,11 @@ class PathAngle {
 
 /// The frame that angles along the path are measured from: that of v where there is one, else the
 /// one that is asked for, else as PathAngle(path) has it.
-Reference reference_of(const Path& path, const std::optional<Vector<Rational>>& v,
-                       std::optional<Reference> asked = std::nullopt);
+PHRAME_API Reference reference_of(const Path& path, const std::optional<Vector<Rational>>& v,
+                                  std::optional<Reference> asked = std::nullopt);
 /// The angle to that frame. Throws as the constructors.
-PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path,
-                   std::optional<Reference> asked = std::nullopt, Form form = Form::automatic);
+PHRAME_API PathAngle angle_to(const std::optional<Vector<Rational>>& v, const Path& path,
+                              std::optional<Reference> asked = std::nullopt,
+                              Form form = Form::automatic);
 
 }  // namespace phrame

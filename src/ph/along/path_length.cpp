@@ -35,7 +35,7 @@ std::string shown(const Real& length) {
 
 }  // namespace
 
-struct PathLength::State {
+struct PHRAME_INSIDE PathLength::State {
   /// Of a segment.
   struct SegmentLength {
     SegmentIntegral integral;

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/curve/place.hpp"
 
@@ -9,7 +10,7 @@ namespace phrame {
 /// The arc length ∫ |r′| dt along a path from its start, through cusps, too, and its inverse: a
 /// polynomial along PH curves on which f keeps its sign. Copies are cheap and share what was found;
 /// any thread may ask.
-class PathLength {
+class PHRAME_API PathLength {
  public:
   /// Along this path.
   explicit PathLength(const Path& path);

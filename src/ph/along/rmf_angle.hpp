@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/export.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/along/frame_angle.hpp"
@@ -23,7 +24,7 @@ enum class Reference {
 /// θ has no pole on ℝ: what vanishes at a cusp cancels. It depends on the preimage A alone.
 /// Copies are cheap and share the poles of θ′, which are isolated once; any thread may ask them. To
 /// move one is to copy it.
-class RmfAngle {
+class PHRAME_API RmfAngle {
  public:
   /// Throws DomainError for A = 0 and for the Frenet frame of a straight line. Precondition: not to
   /// the frame of a vector, which is given to the next one.
@@ -81,26 +82,27 @@ class RmfAngle {
 
 /// g without its greatest real factor: the Frenet frame turns with its argument, continuously.
 /// Throws DomainError for a straight line.
-GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
+PHRAME_API GaussianPolynomial regular_bend(const QuaternionPolynomial& a);
 /// v·(A k A*) + i·v·(A j A*) without its greatest real factor: so turns the frame of v. Throws
 /// DomainError where v is along the tangent all along.
-GaussianPolynomial regular_bend(const QuaternionPolynomial& a, const Vector<Rational>& v);
+PHRAME_API GaussianPolynomial regular_bend(const QuaternionPolynomial& a,
+                                           const Vector<Rational>& v);
 /// That to the Frenet frame for small t > 0, up to a positive factor that tends to 1. Throws
 /// likewise.
-GaussianRational bend_after_zero(const QuaternionPolynomial& a);
+PHRAME_API GaussianRational bend_after_zero(const QuaternionPolynomial& a);
 /// (arg g)′ = Im(g′/g).
-RationalFunction rate_of_argument(const GaussianPolynomial& g);
+PHRAME_API RationalFunction rate_of_argument(const GaussianPolynomial& g);
 
 // θ′ of the rotation-minimizing frame to these frames, in lowest terms; the frames themselves turn
 // about the tangent with the opposite rates.
 
 /// −2h/σ.
-RationalFunction rate_to_erf(const QuaternionPolynomial& a);
+PHRAME_API RationalFunction rate_to_erf(const QuaternionPolynomial& a);
 /// −2h/σ + Im(g′/g). Throws DomainError for a straight line.
-RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
+PHRAME_API RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
 
 /// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
 /// value where that system is singular. Slow (it needs the poles of both); kept as a check.
-std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve);
+PHRAME_API std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve);
 
 }  // namespace phrame

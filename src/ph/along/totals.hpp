@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
@@ -26,20 +27,20 @@ struct Infinite {
 };
 
 /// ∫ ds = ∫|f|σ dt.
-Total total_length(const Curve& curve);
+PHRAME_API Total total_length(const Curve& curve);
 /// ∫₀¹ 2h/σ dt: how far the Euler–Rodrigues frame turns about e₁, in radians. −θ_ERF(1).
-Total erf_twist(const Curve& curve);
+PHRAME_API Total erf_twist(const Curve& curve);
 /// ∫ κ² ds = ∫ ρ/(|f|σ³) dt, infinite at most cusps.
-std::variant<Total, Infinite> bending_energy(const Curve& curve);
+PHRAME_API std::variant<Total, Infinite> bending_energy(const Curve& curve);
 /// ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite, since g = c·g₀ with a real c
 /// makes Im(g′/g) = Im(g₀′/g₀). Throws DomainError for a straight line.
-std::variant<Total, Infinite> frenet_energy(const Curve& curve);
+PHRAME_API std::variant<Total, Infinite> frenet_energy(const Curve& curve);
 /// ∫ τ ds = ±∫ (2h/σ − Im(g′/g)) dt, the sign that of f, in radians; the half turns of n and b at
 /// inflections are not in it. ∓θ_Frenet(1) where f does not change sign. Throws DomainError for a
 /// straight line.
-Total total_torsion(const Curve& curve);
+PHRAME_API Total total_torsion(const Curve& curve);
 /// ∫ κ ds = ∫ √ρ/σ dt for ρ = cω²: how far the tangent turns, in radians, without the half turns at
 /// cusps. No value where ρ is no square (double_ph).
-std::optional<Total> total_curvature(const Curve& curve);
+PHRAME_API std::optional<Total> total_curvature(const Curve& curve);
 
 }  // namespace phrame

@@ -97,7 +97,7 @@ bool is_rounded_total(const Rational& time, const Real& total) {
          compare_time(time, total, "the total") > 0 && is_rounded(time, total);
 }
 
-struct TravelTime::State {
+struct PHRAME_INSIDE TravelTime::State {
   Path path;
   PathLength length;
   std::optional<Rational> constant_speed{};

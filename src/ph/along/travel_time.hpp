@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/feedrate.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
@@ -10,20 +11,20 @@ class SegmentTime;
 
 /// How many whole k ≥ 0 have k·period < total. Throws DomainError for a period ≤ 0, Undecided where
 /// the total cannot be told from a multiple of the period.
-Integer ticks_before(const Real& total, const Rational& period);
+PHRAME_API Integer ticks_before(const Real& total, const Rational& period);
 
 /// The sign of time − x. Throws Undecided where 4096 bits do not tell; `what` is what x is.
-int compare_time(const Rational& time, const Real& x, const std::string& what);
+PHRAME_API int compare_time(const Rational& time, const Real& x, const std::string& what);
 
 /// Is it a time beyond the total that rounds to the same double? Then it is the end: is_rounded().
-bool is_rounded_total(const Rational& time, const Real& total);
+PHRAME_API bool is_rounded_total(const Rational& time, const Real& total);
 
 /// The time T(t) = ∫ |r′|/V dt a motion with feedrate V takes from the start of a path to t,
 /// strictly increasing, and its inverse: the interpolation integral of [Farouki 2008], in closed
 /// form along PH curves. The arc length and the parameter that V may depend on are those of the
 /// whole path; the curvature is that in its plane, whose unit normal has a positive last component
 /// that is not 0. Not for concurrent use; to move one is to copy it.
-class TravelTime {
+class PHRAME_API TravelTime {
  public:
   /// Throws DomainError where V is not positive and finite all along; and of the curvature where
   /// the path is in no plane, or the curvature undefined. Throws Undecided where that is not told.

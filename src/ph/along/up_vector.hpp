@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -16,26 +17,27 @@ struct TangentPlace {
 };
 /// The first such place; no value where v × H has no zero on [0, 1]. Of a rational curve it is
 /// certain, of one by formulas where s is a simple fraction or multiple of π there.
-std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v);
-std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve,
-                                          const Vector<Rational>& v);  ///< likewise
-std::optional<TangentPlace> tangent_along(const Segment& segment,
-                                          const Vector<Rational>& v);  ///< likewise
+PHRAME_API std::optional<TangentPlace> tangent_along(const RationalCurve& curve,
+                                                     const Vector<Rational>& v);
+PHRAME_API std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve,
+                                                     const Vector<Rational>& v);  ///< likewise
+PHRAME_API std::optional<TangentPlace> tangent_along(const Segment& segment,
+                                                     const Vector<Rational>& v);  ///< likewise
 
 /// Throws DomainError where v is 0, or along the tangent somewhere: "the up vector (0, 0, 1) is
 /// along the tangent at t = 1/2"; Undecided where that is not told.
-void require_up_vector(const Path& path, const Vector<Rational>& v);
+PHRAME_API void require_up_vector(const Path& path, const Vector<Rational>& v);
 
 /// Is it a straight line, by the form of its formulas where it has such? Then all its normal frames
 /// that do not turn are rotation-minimizing.
-bool is_straight(const Path& path);
+PHRAME_API bool is_straight(const Path& path);
 /// A vector normal to the plane of the path, of integers without a common factor; no value where it
 /// is straight or in no plane, by the form of its formulas where it has such.
-std::optional<Vector<Rational>> plane_normal(const Path& path);
+PHRAME_API std::optional<Vector<Rational>> plane_normal(const Path& path);
 
 /// A v that is nowhere along the tangent, of small integers: the normal of a plane path, whose
 /// frame is rotation-minimizing already; for others the one of a list whose angle to the tangent
 /// stays largest, as far as few points show. Throws Undecided where the whole list does not do.
-Vector<Rational> up_vector(const Path& path);
+PHRAME_API Vector<Rational> up_vector(const Path& path);
 
 }  // namespace phrame

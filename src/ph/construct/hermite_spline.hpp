@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
 namespace phrame {
@@ -27,8 +28,8 @@ enum class DerivativeSource { given, tangents, natural_spline, periodic_spline }
 /// The same of the parameters.
 enum class ParameterSource { given, whole_numbers, chord_lengths };
 /// @{ Where hermite_spline() takes them from.
-DerivativeSource derivative_source(const GivenPoints& given, bool is_closed);
-ParameterSource parameter_source(const GivenPoints& given);
+PHRAME_API DerivativeSource derivative_source(const GivenPoints& given, bool is_closed);
+PHRAME_API ParameterSource parameter_source(const GivenPoints& given);
 /// @}
 
 /// What the points given mean: derivatives as they are; tangents with the speed of the chords on
@@ -38,13 +39,14 @@ ParameterSource parameter_source(const GivenPoints& given);
 /// which is appended unless it is given at the end, perhaps rounded (close_to_rounding()).
 /// Throws DomainError where two successive points are equal and their distance is needed, and where
 /// a closed spline does not end with the first derivative.
-HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
+PHRAME_API HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
 
 /// Throws DomainError where a derivative is 0 at a joint, so that the tangent would break there,
 /// and where a segment is a point: its points are equal, its derivatives 0.
-void require_regular(const HermiteSpline& data);
+PHRAME_API void require_regular(const HermiteSpline& data);
 /// Throws DomainError where a derivative is 0, of which a direction is wanted.
-void require_directions(const HermiteSpline& data, std::string_view what = "it has no direction");
+PHRAME_API void require_directions(const HermiteSpline& data,
+                                   std::string_view what = "it has no direction");
 
 /// The steps of the parameter.
 struct ParameterSteps {
@@ -52,15 +54,15 @@ struct ParameterSteps {
   Rational unit;                ///< … the greatest number of which all are multiples
 };
 /// Between the points.
-ParameterSteps parameter_steps(const HermiteSpline& data);
+PHRAME_API ParameterSteps parameter_steps(const HermiteSpline& data);
 
 /// The greatest difference of a coordinate of two points; of points that are all equal, of what
 /// the derivatives say the points do.
-Rational size_of_points(const HermiteSpline& data);
+PHRAME_API Rational size_of_points(const HermiteSpline& data);
 /// The greatest coordinate of a derivative.
-Rational size_of_derivatives(const HermiteSpline& data);
+PHRAME_API Rational size_of_derivatives(const HermiteSpline& data);
 /// The greatest coordinate of an acceleration.
-Rational size_of_accelerations(const HermiteSpline& data);
+PHRAME_API Rational size_of_accelerations(const HermiteSpline& data);
 
 /// The same data in units that powers of 4 make of about the size of chords and steps.
 struct ScaledSpline {
@@ -69,6 +71,6 @@ struct ScaledSpline {
   Vector<Rational> scales;  ///< of points, derivatives, accelerations
   Rational root;            ///< that A is to be multiplied by to come back
 };
-ScaledSpline scaled(const HermiteSpline& data);
+PHRAME_API ScaledSpline scaled(const HermiteSpline& data);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
@@ -19,8 +20,9 @@ struct NearCurve {
 /// most ε > 0 away, the first not at all. The preimage has the fewest bits for that. What is said
 /// of it is proved; that there is no nearer one is not. Throws DomainError for r′ = 0, for ε ≤ 0
 /// and for a degree > max_near_degree.
-std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
-                                            const Vector<Rational>& start, const Rational& epsilon);
+PHRAME_API std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
+                                                       const Vector<Rational>& start,
+                                                       const Rational& epsilon);
 
 /// What one might ask near_curve() for: a power of ten, which is enough, and a bound of the
 /// distance of the curve that is then to be had, before its bits are taken off.
@@ -30,8 +32,8 @@ struct NearSuggestion {
 };
 /// No value where the curve is farther from being PH than a 1000th of its size, and above the
 /// degree 45, since that takes long.
-std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograph,
-                                              const Vector<Rational>& start);
+PHRAME_API std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograph,
+                                                         const Vector<Rational>& start);
 
 /// An exact PH spline near several polynomial curves, each on its own [0, 1].
 struct NearPath {
@@ -45,7 +47,7 @@ struct NearPath {
 /// points given, so that distances do not add up. The ends of the spline need not meet exactly if
 /// those of the curves do. Throws DomainError where the tangent breaks and at a cusp at a joint,
 /// too. Joints come from doubles, so that ε is to be 1e-15 of the size at least.
-std::variant<NearPath, NotNear> near_path(const std::vector<std::vector<Vector<Rational>>>& curves,
-                                          const Rational& epsilon);
+PHRAME_API std::variant<NearPath, NotNear> near_path(
+    const std::vector<std::vector<Vector<Rational>>>& curves, const Rational& epsilon);
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/rational_bezier.hpp"
 
 namespace phrame {
@@ -31,7 +32,7 @@ struct BSplineFault {
 /// decreasing knots, an empty [u_p, u_{n+1}], knots of a multiplicity above p + 1, or inside above
 /// p, where the curve would be in two parts, and weights ≤ 0: with weights > 0 the denominator has
 /// no zero.
-std::optional<BSplineFault> fault_of(const BSpline& spline);
+PHRAME_API std::optional<BSplineFault> fault_of(const BSpline& spline);
 
 /// The part of a B-spline between two successive knots, as a Bézier curve on [0, 1].
 struct BezierPiece {
@@ -42,6 +43,6 @@ struct BezierPiece {
 /// The parts of the curve between successive knots of its domain, exactly, by the blossom b of
 /// each: the control points are b(uᵢ, …, uᵢ, uᵢ₊₁, …, uᵢ₊₁) [Ramshaw 1989]. Costs p² combinations
 /// of two points for each. Throws DomainError with the fault_of() the spline.
-std::vector<BezierPiece> bezier_pieces(const BSpline& spline);
+PHRAME_API std::vector<BezierPiece> bezier_pieces(const BSpline& spline);
 
 }  // namespace phrame

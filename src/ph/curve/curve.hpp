@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -9,7 +10,7 @@ namespace phrame {
 /// with the preimage A ∈ ℍ[t] and the multiplier f ∈ ℚ[t], both not zero [Farouki 2003, (12)].
 /// Frames and angles are those of A i A*, whatever the sign of f: e₁ = A i A*/σ is r′/|r′| where
 /// f > 0 and −r′/|r′| where f < 0.
-class Curve {
+class PHRAME_API Curve {
  public:
   /// @{ From (0, 0, 0), unless another start is given. Throws DomainError where the preimage or the
   /// multiplier is zero.
@@ -30,18 +31,18 @@ class Curve {
 };
 
 /// The same curve with A·j and −f: e₁ and e₃ are reversed.
-Curve turned_over(const Curve& curve);
+PHRAME_API Curve turned_over(const Curve& curve);
 
 /// On one line: "A = (t + 1, 2, 0, t^2), f = 1, r(0) = (0, 0, 0)".
-std::ostream& operator<<(std::ostream& out, const Curve& curve);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Curve& curve);
 
-long preimage_degree(const Curve& curve);  ///< m
-long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
+PHRAME_API long preimage_degree(const Curve& curve);  ///< m
+PHRAME_API long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
 
-Vector<Polynomial> hodograph(const Curve& curve);  ///< r′
-Vector<Polynomial> position(const Curve& curve);   ///< r
+PHRAME_API Vector<Polynomial> hodograph(const Curve& curve);  ///< r′
+PHRAME_API Vector<Polynomial> position(const Curve& curve);   ///< r
 /// gcd(x′, y′, z′); constant for a primitive hodograph.
-Polynomial hodograph_content(const Curve& curve);
+PHRAME_API Polynomial hodograph_content(const Curve& curve);
 /// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
 struct Signs {
   bool positive = false;  ///< is f > 0 anywhere on it?
@@ -49,27 +50,27 @@ struct Signs {
   friend bool operator==(const Signs&, const Signs&) = default;
 };
 /// Cost: the real roots of f in (0, 1).
-Signs multiplier_signs(const Curve& curve);
+PHRAME_API Signs multiplier_signs(const Curve& curve);
 
-Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);  ///< v(t)
+PHRAME_API Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t);  ///< v(t)
 
 /// The polynomial Σ b_r C(m, r) (1 − t)^{m−r} tʳ with m + 1 Bernstein coefficients b.
-Polynomial from_bernstein(const std::vector<Rational>& b);
+PHRAME_API Polynomial from_bernstein(const std::vector<Rational>& b);
 /// The Bernstein coefficients of p on [0, 1] in degree m ≥ deg p: b_r = Σ_k C(r, k)/C(m, k) p_k.
 /// Throws DomainError for m < deg p.
-std::vector<Rational> to_bernstein(const Polynomial& p, long m);
+PHRAME_API std::vector<Rational> to_bernstein(const Polynomial& p, long m);
 
 /// @{ The same of A, component by component.
-QuaternionPolynomial from_bernstein(const std::vector<RationalQuaternion>& b);
-std::vector<RationalQuaternion> to_bernstein(const QuaternionPolynomial& a, long m);
+PHRAME_API QuaternionPolynomial from_bernstein(const std::vector<RationalQuaternion>& b);
+PHRAME_API std::vector<RationalQuaternion> to_bernstein(const QuaternionPolynomial& a, long m);
 /// @}
 
 /// The cᵣ = C(m, r)·bᵣ, as coefficients: p(t) = Σ cᵣ tʳ (1 − t)ᵐ⁻ʳ. Throws as above.
-Polynomial scaled_bernstein(const Polynomial& p, long m);
+PHRAME_API Polynomial scaled_bernstein(const Polynomial& p, long m);
 
 /// The Bézier control points of r on [0, 1], degree(curve) + 1 of them.
-std::vector<Vector<Rational>> control_points(const Curve& curve);
+PHRAME_API std::vector<Vector<Rational>> control_points(const Curve& curve);
 /// r′ of the Bézier curve with these points. Throws DomainError where there is none.
-Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& control_points);
+PHRAME_API Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& control_points);
 
 }  // namespace phrame

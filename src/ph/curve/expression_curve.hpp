@@ -3,6 +3,7 @@
 #include <string>
 
 #include "phrame/algebra/ball.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/formula.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
@@ -17,7 +18,7 @@ class KnownIntegrals;
 /// It is defined, analytic and regular, r′ ≠ 0, on the whole path: proved when it is made. H is r′,
 /// and e₁ the unit tangent, unless it is turned over. Copies share what is found; to move one is to
 /// copy it.
-class ExpressionCurve {
+class PHRAME_API ExpressionCurve {
  public:
   /// Throws DomainError where an end is no constant or is undefined, the two ends are equal, a
   /// formula is undefined, as by a pole, at a place that is named, or the curve has a cusp there or
@@ -57,7 +58,7 @@ class ExpressionCurve {
                                long bits) const;
 
   /// The same formulas, ends and orientation.
-  friend bool operator==(const ExpressionCurve& a, const ExpressionCurve& b);
+  friend PHRAME_API bool operator==(const ExpressionCurve& a, const ExpressionCurve& b);
 
  private:
   struct State;
@@ -67,6 +68,6 @@ class ExpressionCurve {
 };
 
 /// 1 where s grows with t, −1 where it falls.
-int direction_of_parameter(const ExpressionCurve& curve);
+PHRAME_API int direction_of_parameter(const ExpressionCurve& curve);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "phrame/algebra/rational.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -12,7 +13,7 @@ inline constexpr long max_exponent = 1'000'000;
 /// A function of one real variable, as people write it: of fractions, π and the variable by + − ·
 /// /, powers, and sin, cos, exp, log, sqrt and atan. It is a list of steps, each of which applies
 /// an operation to the values of earlier ones; the last value is that of the function.
-class Formula {
+class PHRAME_API Formula {
  public:
   /// What a step does to the values of the earlier steps `left` and `right`.
   enum class Operation {
@@ -52,22 +53,22 @@ class Formula {
 
   /// @{ The functions of these values. An operation that is undefined everywhere, as a division by
   /// the number 0, is found where the function is evaluated.
-  friend Formula operator+(const Formula& f, const Formula& g);
-  friend Formula operator-(const Formula& f, const Formula& g);
-  friend Formula operator*(const Formula& f, const Formula& g);
-  friend Formula operator/(const Formula& f, const Formula& g);
-  friend Formula operator-(const Formula& f);
+  friend PHRAME_API Formula operator+(const Formula& f, const Formula& g);
+  friend PHRAME_API Formula operator-(const Formula& f, const Formula& g);
+  friend PHRAME_API Formula operator*(const Formula& f, const Formula& g);
+  friend PHRAME_API Formula operator/(const Formula& f, const Formula& g);
+  friend PHRAME_API Formula operator-(const Formula& f);
   /// @}
   /// f to this power. Throws DomainError beyond max_exponent.
-  friend Formula power(const Formula& f, const Rational& exponent);
+  friend PHRAME_API Formula power(const Formula& f, const Rational& exponent);
   /// @{ The functions of these values.
-  friend Formula sin(const Formula& f);
-  friend Formula cos(const Formula& f);
-  friend Formula tan(const Formula& f);  ///< sin/cos
-  friend Formula exp(const Formula& f);
-  friend Formula log(const Formula& f);
-  friend Formula sqrt(const Formula& f);
-  friend Formula atan(const Formula& f);
+  friend PHRAME_API Formula sin(const Formula& f);
+  friend PHRAME_API Formula cos(const Formula& f);
+  friend PHRAME_API Formula tan(const Formula& f);  ///< sin/cos
+  friend PHRAME_API Formula exp(const Formula& f);
+  friend PHRAME_API Formula log(const Formula& f);
+  friend PHRAME_API Formula sqrt(const Formula& f);
+  friend PHRAME_API Formula atan(const Formula& f);
   /// @}
 
   friend bool operator==(const Formula&, const Formula&) = default;  ///< the same steps
@@ -80,12 +81,12 @@ class Formula {
 };
 
 /// Does its value not depend on the variable, by its form?
-bool is_constant(const Formula& f);
+PHRAME_API bool is_constant(const Formula& f);
 
 /// "cos(2*s)*(2 + cos(3*s))"; the middle is left out of what is longer than about 60 characters.
-std::string to_string(const Formula& f, const std::string& variable);
+PHRAME_API std::string to_string(const Formula& f, const std::string& variable);
 /// The same of each step, for messages that name a part.
-std::vector<std::string> step_texts(const std::vector<Formula::Step>& steps,
-                                    const std::string& variable);
+PHRAME_API std::vector<std::string> step_texts(const std::vector<Formula::Step>& steps,
+                                               const std::string& variable);
 
 }  // namespace phrame

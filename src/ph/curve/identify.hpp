@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -16,9 +17,9 @@ struct NotPythagorean {
 };
 
 /// One line: why not.
-std::string to_string(const NotPythagorean& reason);
+PHRAME_API std::string to_string(const NotPythagorean& reason);
 /// Writes to_string(reason).
-std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason);
 
 /// The curve with the hodograph r′ and r(0) = start as r′ = f · A i A*, checked exactly, or why
 /// there is no such form. A has the least degree, f is ±gcd(x′, y′, z′) up to a constant, with f >
@@ -27,9 +28,9 @@ std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason);
 /// taken where the lowest coefficient of α = u + iv (of β = q + ip where α = 0) is in the first
 /// quadrant. The numbers: f is primitive times an integer ≥ 1 that is no norm |c|² as far as
 /// split_norm sees, mostly 1. Throws DomainError for r′ = 0, a point.
-std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
-                                             const Vector<Rational>& start);
+PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
+                                                        const Vector<Rational>& start);
 /// The same with r(0) = (0, 0, 0).
-std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph);
+PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph);
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -10,13 +11,13 @@ namespace phrame {
 // function of A = u + vi + pj + qk; α = u + iv, β = q + ip is its Hopf form.
 
 /// σ = |A|² = u² + v² + p² + q²; |r′| = |f|·σ.
-Polynomial sigma(const QuaternionPolynomial& a);
+PHRAME_API Polynomial sigma(const QuaternionPolynomial& a);
 /// h = uv′ − u′v − pq′ + p′q = Im(ᾱα′ + β̄β′). The ERF turns about the tangent with 2h/σ.
-Polynomial twist_numerator(const QuaternionPolynomial& a);
+PHRAME_API Polynomial twist_numerator(const QuaternionPolynomial& a);
 /// g = αβ′ − α′β: the ERF components of the derivative of the tangent are ±2·Im g/σ, 2·Re g/σ.
-GaussianPolynomial bend_numerator(const QuaternionPolynomial& a);
+PHRAME_API GaussianPolynomial bend_numerator(const QuaternionPolynomial& a);
 /// ρ = 4|g|²; |r′ × r″|² = f⁴σ²ρ.
-Polynomial rho(const QuaternionPolynomial& a);
+PHRAME_API Polynomial rho(const QuaternionPolynomial& a);
 
 /// ρ = constant·ω², with ω primitive: then |r′ × r″| = √constant·|f²σω| is a polynomial, up to its
 /// sign, over ℝ, and κ, n and b are rational over ℚ(√constant). For a straight line ρ = 0 = 0·1².
@@ -26,23 +27,23 @@ struct DoublePh {
   friend bool operator==(const DoublePh&, const DoublePh&) = default;
 };
 /// No value where a factor of ρ has an odd exponent. All helices have one [Beltran, Monterde 2007].
-std::optional<DoublePh> double_ph(const QuaternionPolynomial& a);
+PHRAME_API std::optional<DoublePh> double_ph(const QuaternionPolynomial& a);
 
 /// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
-Polynomial triple_product(const Curve& curve);
+PHRAME_API Polynomial triple_product(const Curve& curve);
 /// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.
-RationalFunction squared_curvature(const Curve& curve);
+PHRAME_API RationalFunction squared_curvature(const Curve& curve);
 /// τ = (r′ × r″)·r‴/|r′ × r″|². Throws DomainError for a straight line.
-RationalFunction torsion(const Curve& curve);
+PHRAME_API RationalFunction torsion(const Curve& curve);
 
 /// ω² = κ² + τ²: the Frenet frame turns by ω per unit of arc length, a rotation-minimizing frame by
 /// κ [Farouki 2003, (5)]. Throws DomainError for a straight line.
-RationalFunction squared_frenet_rate(const Curve& curve);
+PHRAME_API RationalFunction squared_frenet_rate(const Curve& curve);
 /// The signed curvature of a plane curve, (r′ × r″)·n/|r′|³ with the unit normal n of its plane
 /// whose last component that is not 0 (z, else y, else x) is positive: in the xy-plane κ > 0 is a
 /// left turn. 0 for a straight line. |f| stands for ±f as on [0, 1]. Throws DomainError where the
 /// curve is not plane, n is not rational or f changes sign on [0, 1].
-RationalFunction signed_curvature(const Curve& curve);
+PHRAME_API RationalFunction signed_curvature(const Curve& curve);
 
 /// The split (15) of [Farouki 2003], triple_product = f³(a·ρ + b·σ), in closed form:
 /// a = 2h, b = −4 Im(g′ḡ). Then θ_Frenet′ = −a/σ − b/ρ.
@@ -52,10 +53,10 @@ struct AngleSplit {
   friend bool operator==(const AngleSplit&, const AngleSplit&) = default;
 };
 /// Of the curves with this preimage.
-AngleSplit closed_split(const QuaternionPolynomial& preimage);
+PHRAME_API AngleSplit closed_split(const QuaternionPolynomial& preimage);
 
 /// The same by the paper's linear system for the coefficients of a and b. It has a unique solution
 /// only where gcd(σ, ρ) = 1 and no degree drops; no value otherwise.
-std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage);
+PHRAME_API std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage);
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "phrame/algebra/real.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/curve/segment.hpp"
 
@@ -15,7 +16,7 @@ namespace phrame {
 /// joints, but for corners, continuous from there on; after an odd number of changes of the sign of
 /// p or f it is −r′/|r′|. Through neighbouring PH curves the Euler–Rodrigues frame goes on as in a
 /// PhPath. Copies share the segments.
-class Path {
+class PHRAME_API Path {
  public:
   /// One segment, to which others may be appended; there is room for so many.
   Path(Segment first, std::size_t room = 1);  // NOLINT(google-explicit-constructor)
@@ -75,14 +76,14 @@ struct Closure {
   std::string undecided = {};                    ///< why
 };
 /// Path::ends_meet(), is_closed() and closes_at_corner(), as far as they are told.
-Closure closure(const Path& path);
+PHRAME_API Closure closure(const Path& path);
 
 /// The segments, at least one, one after the other. Throws as Path::append.
-Path joined(std::vector<Segment> segments);
+PHRAME_API Path joined(std::vector<Segment> segments);
 
 /// The same path by its positions, as if it were not known to be Pythagorean. Its e₁ is that of the
 /// path or, everywhere, its opposite.
-Path by_positions(const PhPath& path);
+PHRAME_API Path by_positions(const PhPath& path);
 
 /// A path and what it is called.
 struct NamedPath {
@@ -107,16 +108,16 @@ struct NamedPath {
 };
 
 /// The same as one of PH curves, where it is one.
-std::optional<NamedPhPath> as_ph(const NamedPath& named);
+PHRAME_API std::optional<NamedPhPath> as_ph(const NamedPath& named);
 
 /// Segment k, which is a PH curve. Throws DomainError where it is none, and so has no
 /// Euler–Rodrigues frame.
-const PhSegment& segment_with_erf(const Path& path, std::size_t k);
+PHRAME_API const PhSegment& segment_with_erf(const Path& path, std::size_t k);
 
 /// Is it a PH curve by itself, which goes on for all t?
-bool goes_on(const Path& path);
+PHRAME_API bool goes_on(const Path& path);
 /// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]; any
 /// where the path goes_on(). Throws DomainError for t outside [0, end()] of other paths.
-PathParameter locate(const Path& path, const Rational& t);
+PHRAME_API PathParameter locate(const Path& path, const Rational& t);
 
 }  // namespace phrame

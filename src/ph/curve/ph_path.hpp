@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -17,7 +18,7 @@ namespace phrame {
 /// frame is continuous, too, or carried through corners like that, and that e₁ is r′/|r′| at the
 /// start, just after a cusp there. A ↦ A·c with c ∈ ℚ(i), f ↦ f/|c|², leaves a curve alone and
 /// turns that frame about the tangent by the constant 2·arg c; A ↦ A·j, f ↦ −f turns it over.
-class PhPath {
+class PHRAME_API PhPath {
  public:
   /// One segment, to which others may be appended.
   PhPath(Curve first);  // NOLINT(google-explicit-constructor)
@@ -63,13 +64,13 @@ struct Continuation {
   bool is_corner;  ///< does the tangent break?
 };
 /// The curve `next` behind `last`. Throws as PhPath::append.
-Continuation continuation(const Curve& last, const Curve& next);
+PHRAME_API Continuation continuation(const Curve& last, const Curve& next);
 
 /// PhPath::closing_turn() of a path with these at its ends.
-std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last);
+PHRAME_API std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last);
 
 /// The curves, at least one, one after the other. Throws as PhPath::append.
-PhPath joined(const std::vector<Curve>& curves);
+PHRAME_API PhPath joined(const std::vector<Curve>& curves);
 
 /// The segment that t is in, the later one at a joint, and the parameter there: in [0, 1], unless
 /// the path is a curve.
@@ -78,13 +79,13 @@ struct PathParameter {
   Rational t;           ///< the parameter of that segment
 };
 /// Throws DomainError for t outside [0, end()] of a spline.
-PathParameter locate(const PhPath& path, const Rational& t);
+PHRAME_API PathParameter locate(const PhPath& path, const Rational& t);
 /// The same, and of a curve, too.
-PathParameter locate_inside(const PhPath& path, const Rational& t);
+PHRAME_API PathParameter locate_inside(const PhPath& path, const Rational& t);
 /// The same on a path of `count` ≥ 1 segments of any kind.
-PathParameter locate_inside(std::size_t count, const Rational& t);
+PHRAME_API PathParameter locate_inside(std::size_t count, const Rational& t);
 
 /// The parameter along the path, segment + t.
-Rational parameter(const PathParameter& at);
+PHRAME_API Rational parameter(const PathParameter& at);
 
 }  // namespace phrame

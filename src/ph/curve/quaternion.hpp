@@ -2,6 +2,7 @@
 #include <array>
 
 #include "phrame/algebra/gaussian_polynomial.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -70,23 +71,24 @@ struct HopfForm {
   GaussianPolynomial beta;   ///< q + ip
 };
 /// @{ The one from the other.
-HopfForm hopf_form(const QuaternionPolynomial& a);
-QuaternionPolynomial from_hopf_form(const HopfForm& form);
+PHRAME_API HopfForm hopf_form(const QuaternionPolynomial& a);
+PHRAME_API QuaternionPolynomial from_hopf_form(const HopfForm& form);
 /// @}
 
-long degree(const QuaternionPolynomial& a);   ///< the greatest of the components; −1 for 0
-bool is_zero(const QuaternionPolynomial& a);  ///< are all components 0?
-RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);  ///< A(t)
+PHRAME_API long degree(
+    const QuaternionPolynomial& a);  ///< the greatest of the components; −1 for 0
+PHRAME_API bool is_zero(const QuaternionPolynomial& a);  ///< are all components 0?
+PHRAME_API RationalQuaternion evaluate(const QuaternionPolynomial& a, const Rational& t);  ///< A(t)
 /// gcd(u, v, p, q): the greatest real polynomial that divides A.
-Polynomial real_content(const QuaternionPolynomial& a);
+PHRAME_API Polynomial real_content(const QuaternionPolynomial& a);
 /// a over its real content ≠ 0: what its frames depend on.
-QuaternionPolynomial without_real_content(const QuaternionPolynomial& a);
+PHRAME_API QuaternionPolynomial without_real_content(const QuaternionPolynomial& a);
 
 /// @{ The components: "(1, 0, 2/3)", of a quaternion u, v, p, q.
-std::ostream& operator<<(std::ostream& out, const Vector<Rational>& v);
-std::ostream& operator<<(std::ostream& out, const Vector<Polynomial>& v);
-std::ostream& operator<<(std::ostream& out, const RationalQuaternion& a);
-std::ostream& operator<<(std::ostream& out, const QuaternionPolynomial& a);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Vector<Rational>& v);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const Vector<Polynomial>& v);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const RationalQuaternion& a);
+PHRAME_API std::ostream& operator<<(std::ostream& out, const QuaternionPolynomial& a);
 /// @}
 
 }  // namespace phrame

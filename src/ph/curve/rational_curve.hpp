@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -8,7 +9,7 @@ namespace phrame {
 /// with a direction H of integer coefficients without a common factor. Where H is a polynomial
 /// vector without a common root it has no zero, so that e₁ = H/|H| is defined for all t, through
 /// cusps, too. As for PH curves, e₁ is r′/|r′| where p > 0 and −r′/|r′| where p < 0.
-class RationalCurve {
+class PHRAME_API RationalCurve {
  public:
   /// The lowest terms of X/W, with coprime integers for the coefficients of W > 0. H has the sign
   /// for which p > 0 for small t > 0. Throws DomainError where W has a zero in [0, 1] that does not
@@ -33,18 +34,18 @@ class RationalCurve {
 };
 
 /// The greatest degree of X₁, X₂, X₃ and W.
-long degree(const RationalCurve& curve);
+PHRAME_API long degree(const RationalCurve& curve);
 /// H × H′, along the binormal; 0 for a straight line.
-Vector<Polynomial> binormal(const RationalCurve& curve);
+PHRAME_API Vector<Polynomial> binormal(const RationalCurve& curve);
 /// r(t). Throws DomainError where W(t) = 0, so outside [0, 1].
-Vector<Rational> point(const RationalCurve& curve, const Rational& t);
+PHRAME_API Vector<Rational> point(const RationalCurve& curve, const Rational& t);
 
 /// r′ of a polynomial one, W = 1: p·H.
-Vector<Polynomial> hodograph(const RationalCurve& curve);
+PHRAME_API Vector<Polynomial> hodograph(const RationalCurve& curve);
 
 /// The Bézier curve Σ wₖ Pₖ Bₖ/Σ wₖ Bₖ, with weights 1 where none are given. Throws DomainError for
 /// no points, another number of weights, and as RationalCurve.
-RationalCurve bezier_curve(const std::vector<Vector<Rational>>& points,
-                           const std::vector<Rational>& weights = {});
+PHRAME_API RationalCurve bezier_curve(const std::vector<Vector<Rational>>& points,
+                                      const std::vector<Rational>& weights = {});
 
 }  // namespace phrame

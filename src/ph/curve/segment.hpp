@@ -2,6 +2,7 @@
 #include <memory>
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 #include "phrame/ph/curve/rational_curve.hpp"
@@ -10,7 +11,7 @@ namespace phrame {
 
 /// A PH curve as a segment of a path: by its preimage and, where that is asked for, by its
 /// positions. Copies share these.
-class PhSegment {
+class PHRAME_API PhSegment {
  public:
   /// That curve, on [0, 1].
   explicit PhSegment(Curve curve);
@@ -40,8 +41,8 @@ using Segment = std::variant<RationalCurve, ExpressionCurve, PhSegment>;
 
 /// @{ The curve that the segment is, where it is one: null for others. A PH curve is a rational
 /// one, too.
-const Curve* ph_curve(const Segment& segment);
-const RationalCurve* rational_curve(const Segment& segment);
+PHRAME_API const Curve* ph_curve(const Segment& segment);
+PHRAME_API const RationalCurve* rational_curve(const Segment& segment);
 /// @}
 
 /// f(curve) of the RationalCurve or the ExpressionCurve that the segment is.
@@ -53,10 +54,10 @@ decltype(auto) visit_curve(const F& f, const Segment& segment) {
 
 /// 1 where e₁ is the unit tangent r′/|r′| just after the start of the segment, −1 where it is the
 /// opposite.
-int orientation(const Segment& segment);
+PHRAME_API int orientation(const Segment& segment);
 /// The same just before its end.
-int end_orientation(const Segment& segment);
+PHRAME_API int end_orientation(const Segment& segment);
 /// The same segment with −e₁.
-Segment turned_over(const Segment& segment);
+PHRAME_API Segment turned_over(const Segment& segment);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
 namespace phrame {
@@ -10,14 +11,14 @@ namespace phrame {
 // components.
 
 /// a·b.
-Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b);
+PHRAME_API Polynomial dot(const Vector<Rational>& a, const Vector<Polynomial>& b);
 
 /// The direction of A i A* on a straight line; no value for other curves.
-std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a);
+PHRAME_API std::optional<Vector<Rational>> line_direction(const QuaternionPolynomial& a);
 
 /// n with n·A i A* = 0: the normal of a plane curve, and one of those of a straight line; no value
 /// for other curves.
-std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a);
+PHRAME_API std::optional<Vector<Rational>> plane_normal(const QuaternionPolynomial& a);
 
 /// The tangent of what is not plane has a constant angle ψ to an axis, cos ψ = constant/|axis|:
 ///   axis·A i A* = constant·σ, constant > 0.
@@ -39,15 +40,15 @@ struct Helix : ConstantAngle {
   friend bool operator==(const Helix&, const Helix&) = default;
 };
 /// No value where there is no such axis, and for plane curves and straight lines.
-std::optional<Helix> helix(const QuaternionPolynomial& a);
+PHRAME_API std::optional<Helix> helix(const QuaternionPolynomial& a);
 
 // The same of a path: one line, one plane, one angle to one axis for all of its segments.
 
 /// @{ One line, one plane, one angle to one axis for all segments of a path; no value where there
 /// is none.
-std::optional<Vector<Rational>> line_direction(const PhPath& path);
-std::optional<Vector<Rational>> plane_normal(const PhPath& path);
-std::optional<ConstantAngle> helix(const PhPath& path);
+PHRAME_API std::optional<Vector<Rational>> line_direction(const PhPath& path);
+PHRAME_API std::optional<Vector<Rational>> plane_normal(const PhPath& path);
+PHRAME_API std::optional<ConstantAngle> helix(const PhPath& path);
 /// @}
 
 }  // namespace phrame

@@ -1,24 +1,25 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/segment.hpp"
 
 namespace phrame {
 
 /// Where r′ = 0: the real roots of f and of gcd(u, v, p, q) in the interval, with their order in
 /// |r′| = |f|·σ. None on a regular curve.
-std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval = closed(0, 1));
+PHRAME_API std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval = closed(0, 1));
 
 /// The same on a segment of any kind: where p = 0 along a RationalCurve; formulas have none.
-std::vector<RealRoot> cusps(const Segment& segment);
+PHRAME_API std::vector<RealRoot> cusps(const Segment& segment);
 
 /// Where the tangent stands still: the real zeros of g in the interval, those apart that only a
 /// real factor of A brings. (n, b) flip at those of odd order. None for a straight line.
-std::vector<RealRoot> inflections(const QuaternionPolynomial& a,
-                                  const Interval& interval = closed(0, 1));
+PHRAME_API std::vector<RealRoot> inflections(const QuaternionPolynomial& a,
+                                             const Interval& interval = closed(0, 1));
 
 /// Those of odd order, where what vanishes changes its sign.
-std::vector<RealRoot> odd(const std::vector<RealRoot>& points);
+PHRAME_API std::vector<RealRoot> odd(const std::vector<RealRoot>& points);
 /// Those of them in (0, 1).
-std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
+PHRAME_API std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -7,26 +8,26 @@ namespace phrame {
 
 /// t ↦ r(a + (b − a)·t): the part from a to b as a curve on [0, 1]; for a > b it runs backwards.
 /// A and f are reparametrised and f gets the factor b − a. Throws DomainError for a = b.
-Curve segment(const Curve& curve, const Rational& a, const Rational& b);
+PHRAME_API Curve segment(const Curve& curve, const Rational& a, const Rational& b);
 /// t ↦ r(1 − t). The new f is −f(1 − t): e₁ is that of the curve, not its opposite.
-Curve reversed(const Curve& curve);
+PHRAME_API Curve reversed(const Curve& curve);
 
 /// r ↦ r + v.
-Curve translated(const Curve& curve, const Vector<Rational>& v);
+PHRAME_API Curve translated(const Curve& curve, const Vector<Rational>& v);
 /// r ↦ c·r, through f. Throws DomainError for c = 0.
-Curve scaled(const Curve& curve, const Rational& c);
+PHRAME_API Curve scaled(const Curve& curve, const Rational& c);
 /// r ↦ U r U*: the rotation that U means and a scaling by |U|² (scaled(…, 1/|U|²) undoes that).
 /// A ↦ U·A: h, σ and g get the factor |U|². Throws DomainError for U = 0.
-Curve rotated(const Curve& curve, const RationalQuaternion& u);
+PHRAME_API Curve rotated(const Curve& curve, const RationalQuaternion& u);
 
 /// @{ The same of every segment of a path, which goes on through its joints as before; what is PH
 /// is PH. Of a segment(path, a, b) a and b are in [0, end], else DomainError is thrown: of its
 /// segments the first and the last may be parts, each with a parameter of its own in [0, 1].
-Path segment(const Path& path, const Rational& a, const Rational& b);
-Path reversed(const Path& path);
-Path translated(const Path& path, const Vector<Rational>& v);
-Path scaled(const Path& path, const Rational& c);
-Path rotated(const Path& path, const RationalQuaternion& u);
+PHRAME_API Path segment(const Path& path, const Rational& a, const Rational& b);
+PHRAME_API Path reversed(const Path& path);
+PHRAME_API Path translated(const Path& path, const Vector<Rational>& v);
+PHRAME_API Path scaled(const Path& path, const Rational& c);
+PHRAME_API Path rotated(const Path& path, const RationalQuaternion& u);
 /// @}
 
 }  // namespace phrame

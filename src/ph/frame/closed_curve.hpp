@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/real.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -24,30 +25,30 @@ struct ClosedFrame {
 /// turn back there; Undecided where no v decides, as where the curve meets itself, and where it is
 /// not told whether it is closed. Cost: that of the crossings; the twist is found when it is asked
 /// for, of PH curves by a closed form.
-ClosedFrame closed_frame(const Path& path);
+PHRAME_API ClosedFrame closed_frame(const Path& path);
 /// With this v, or no value where it does not decide.
-std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
+PHRAME_API std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
 
 /// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
-Real writhe(const ClosedFrame& frame);
+PHRAME_API Real writhe(const ClosedFrame& frame);
 /// The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
 /// closed_frame().
-Real writhe(const Path& path);
+PHRAME_API Real writhe(const Path& path);
 /// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
 /// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
-Real holonomy(const ClosedFrame& frame);
+PHRAME_API Real holonomy(const ClosedFrame& frame);
 /// The self-linking number Lk − Tw + ∫τ ds/(2π) of a curve without inflections: how often it is
 /// linked with its copy shifted along its principal normals. `torsion` is ∫τ ds. Throws Undecided
 /// where that is not seen to be an integer.
-long self_linking_number(const ClosedFrame& frame, const Real& torsion);
+PHRAME_API long self_linking_number(const ClosedFrame& frame, const Real& torsion);
 /// The turn per length about the tangent, −holonomy/length, that is to be added to a
 /// rotation-minimizing frame for it to close, so that a profile swept along the curve does.
-Real closing_turn_per_length(const Real& holonomy, const Real& length);
+PHRAME_API Real closing_turn_per_length(const Real& holonomy, const Real& length);
 
 /// The linking number of two closed curves, from the first of a few v that decides. Throws
 /// Undecided where none does, as where the curves meet.
-long linking_number(const CurveSeries& first, const CurveSeries& second);
+PHRAME_API long linking_number(const CurveSeries& first, const CurveSeries& second);
 /// The same of paths. Throws DomainError where one of them is not closed, and likewise.
-long linking_number(const Path& first, const Path& second);
+PHRAME_API long linking_number(const Path& first, const Path& second);
 
 }  // namespace phrame

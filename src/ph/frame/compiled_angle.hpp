@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 
 namespace phrame {
@@ -12,7 +13,7 @@ class PiecewisePolynomial;
 /// θ for millions of parameters: a few compensated operations each, a proof of the rounding after
 /// each [Ziv 1991], and the exact angle for the few that the proof fails for.
 /// Not for concurrent use: it counts the latter.
-class CompiledAngle {
+class PHRAME_API CompiledAngle {
  public:
   /// θ with θ(0) = start_angle. Throws Undecided where a pole of θ′ is nearer to
   /// [from, to] than doubles are to each other there.

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
@@ -10,7 +11,7 @@ class PiecewisePolynomial;
 
 /// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
-class CompiledFrames {
+class PHRAME_API CompiledFrames {
  public:
   /// The frame whose angle to the ERF is θ + start_angle, as in compiled_rotation.
   CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame {
@@ -14,6 +15,6 @@ struct ErfTurning {
   bool is_monotone;               ///< it is reversed nowhere in (0, 1)
 };
 /// Decided exactly. Cost: the factorization of h and of the numerator of ω₁′.
-ErfTurning erf_turning(const Curve& curve);
+PHRAME_API ErfTurning erf_turning(const Curve& curve);
 
 }  // namespace phrame

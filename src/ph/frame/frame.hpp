@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 
 namespace phrame {
@@ -24,24 +25,25 @@ struct Frame {
 
 /// The frame turned about e₁ by θ: e₁, cos θ e₂ + sin θ e₃, −sin θ e₂ + cos θ e₃. Exact where θ =
 /// 0, and a component where both e₂ and e₃ have the component 0.
-Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
+PHRAME_API Frame<Real> turned(const Frame<Real>& frame, const Real& theta);
 /// The same by θ = arg z, z ≠ 0: components are exact where |z|² is a rational square, else
 /// irrational or 0.
-Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
-Frame<Real> as_real(const Frame<Rational>& frame);  ///< the same numbers
+PHRAME_API Frame<Real> turned(const Frame<Rational>& frame, const GaussianRational& z);
+PHRAME_API Frame<Real> as_real(const Frame<Rational>& frame);  ///< the same numbers
 
 /// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
-FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
+PHRAME_API FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 
 /// The frame turned about e₁ by θ + start, of which `theta(start)` is asked. Exact where
 /// `direction` is there, θ = arg of it up to whole turns, and start is of such a number, too; also
 /// where θ = 0.
-Frame<Real> turned(const Frame<Rational>& frame, const std::optional<GaussianRational>& direction,
-                   const std::function<Real(const FrameAngle& start)>& theta,
-                   const FrameAngle& start);
+PHRAME_API Frame<Real> turned(const Frame<Rational>& frame,
+                              const std::optional<GaussianRational>& direction,
+                              const std::function<Real(const FrameAngle& start)>& theta,
+                              const FrameAngle& start);
 
 /// The frames of one curve, for many t: what does not depend on t is computed once.
-class Frames {
+class PHRAME_API Frames {
  public:
   /// Of this curve.
   explicit Frames(const Curve& curve);
@@ -67,23 +69,25 @@ class Frames {
 };
 
 /// (A i A*, A j A*, A k A*)/σ at t of an A without a real factor.
-Frame<Rational> euler_rodrigues_frame(const QuaternionPolynomial& primitive, const Rational& t);
+PHRAME_API Frame<Rational> euler_rodrigues_frame(const QuaternionPolynomial& primitive,
+                                                 const Rational& t);
 
 /// Throws DomainError for g = 0, of a straight line.
-void require_bend(const GaussianPolynomial& g);
+PHRAME_API void require_bend(const GaussianPolynomial& g);
 /// (t, n, b) at t by the g of such an A, as of Frames.
-Frame<Real> frenet_frame(const QuaternionPolynomial& primitive, const GaussianPolynomial& bend,
-                         const Rational& t);
+PHRAME_API Frame<Real> frenet_frame(const QuaternionPolynomial& primitive,
+                                    const GaussianPolynomial& bend, const Rational& t);
 
 /// @{ One frame of a curve, as those of Frames; Frames is faster for many.
-Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
-Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
-Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle, const Rational& t);
+PHRAME_API Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t);
+PHRAME_API Frame<Real> frenet_frame(const Curve& curve, const Rational& t);
+PHRAME_API Frame<Real> rotation_minimizing_frame(const Curve& curve, const RmfAngle& angle,
+                                                 const Rational& t);
 /// @}
 
 /// @{ Every component correctly rounded.
-Vector<double> round_to_double(const Vector<Real>& v);
-Vector<double> round_to_double(const Vector<Rational>& v);
+PHRAME_API Vector<double> round_to_double(const Vector<Real>& v);
+PHRAME_API Vector<double> round_to_double(const Vector<Rational>& v);
 /// @}
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/frame/frame_verdict.hpp"
@@ -18,8 +19,8 @@ struct FrameCheckOptions {
 
 /// Is the sine of the angle between each tangent given and ±T within the tolerance? By numbers that
 /// are exact or off by less than 2^−192 of their size, and much faster than check_frames().
-bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
-                     const Rational& tolerance);
+PHRAME_API bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
+                                const Rational& tolerance);
 
 /// Where somebody says that the curve is at t.
 struct GivenPosition {
@@ -30,8 +31,8 @@ struct GivenPosition {
 /// Are these positions the curve's but for one translation, which takes the first to its place? To
 /// within the tolerance times the way from the first to the farthest; where all are one place, they
 /// are no sign of the curve. By numbers as those of are_along_curve().
-bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
-                  const Rational& tolerance);
+PHRAME_API bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+                             const Rational& tolerance);
 
 /// Judges frames, with the exact ones of the path: they pass where all angles, cosines and lengths
 /// are within the tolerance and no frame is left-handed. First and last are those of the least and
@@ -40,7 +41,7 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
 /// frames take for forward. Throws Undecided where 4096 bits do not tell a number from the
 /// tolerance, and DomainError as start_angle() does, and for a t outside the path. Preconditions:
 /// there is at least one frame, and the angle is not to the Frenet frame.
-FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>& frames,
-                          const FrameCheckOptions& options = {});
+PHRAME_API FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>& frames,
+                                     const FrameCheckOptions& options = {});
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
 namespace phrame {
@@ -7,6 +8,6 @@ namespace phrame {
 /// by their sign: its component of greatest size, about, is positive. Components are exact or known
 /// to be irrational where those of the frame are exact. Precondition: the frame is orthonormal and
 /// right-handed.
-Quaternion<Real> quaternion_of(const Frame<Real>& frame);
+PHRAME_API Quaternion<Real> quaternion_of(const Frame<Real>& frame);
 
 }  // namespace phrame

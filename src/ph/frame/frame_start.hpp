@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
@@ -28,7 +29,7 @@ struct LeastRotation {
 
 /// A vector whose projection to the normal plane is along f₂ of the LeastRotation for e₁: for
 /// e₁ = H/|H| it is (−H₂, |H| + H₁, 0).
-Vector<Rational> least_rotation_normal(const Vector<Rational>& e1);
+PHRAME_API Vector<Rational> least_rotation_normal(const Vector<Rational>& e1);
 
 /// Where a rotation-minimizing frame starts, at t = 0 of the first segment: by the tangent there,
 /// at an angle to the frame that angles are measured from, or with f₂ along a vector.
@@ -40,11 +41,11 @@ using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 /// DomainError for a vector that is 0 or along the tangent, and where it is measured from the
 /// Frenet frame of a straight line. `up` is v, where it is measured from the frame of one. At
 /// another t it is likewise, but for the angle to the Frenet frame.
-FrameAngle start_angle(const FrameStart& start, const Curve& first,
-                       Reference reference = Reference::euler_rodrigues,
-                       const Vector<Rational>& up = {}, const Rational& t = 0);
+PHRAME_API FrameAngle start_angle(const FrameStart& start, const Curve& first,
+                                  Reference reference = Reference::euler_rodrigues,
+                                  const Vector<Rational>& up = {}, const Rational& t = 0);
 /// Along a path of PH curves, likewise.
-FrameAngle start_angle(const FrameStart& start, const PhPath& path,
-                       Reference reference = Reference::euler_rodrigues);
+PHRAME_API FrameAngle start_angle(const FrameStart& start, const PhPath& path,
+                                  Reference reference = Reference::euler_rodrigues);
 
 }  // namespace phrame

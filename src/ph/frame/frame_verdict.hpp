@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/real.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -99,7 +100,7 @@ struct FrameVerdict {
 
 /// The number of different t. Without a start angle one says nothing: the first sample agrees with
 /// itself.
-std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
+PHRAME_API std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
 
 /// The exact frames that others are compared with.
 struct ExactFrames {
@@ -114,7 +115,8 @@ struct ExactFrames {
 /// Judges frames as check_frames() does; `start` is the angle θ(0) of the rotation-minimizing frame
 /// that they are compared with, or none. Throws Undecided where 4096 bits do not tell a number from
 /// the tolerance. Precondition: there is at least one frame.
-FrameVerdict judge_frames(const ExactFrames& exact, const std::vector<GivenFrame>& frames,
-                          const std::optional<Real>& start, const Rational& tolerance);
+PHRAME_API FrameVerdict judge_frames(const ExactFrames& exact,
+                                     const std::vector<GivenFrame>& frames,
+                                     const std::optional<Real>& start, const Rational& tolerance);
 
 }  // namespace phrame

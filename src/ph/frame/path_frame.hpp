@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
@@ -11,43 +12,44 @@ namespace phrame {
 // and of the rest nothing is known.
 
 /// e₁.
-Vector<Real> tangent(const Path& path, const Place& at);
+PHRAME_API Vector<Real> tangent(const Path& path, const Place& at);
 /// (e₁, e₂, e₃) with e₂ = v × H/|v × H|. v is nowhere along the tangent.
-Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at);
+PHRAME_API Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at);
 /// (e₁, e₂, e₃) of Euler and Rodrigues: that of the preimage of a segment that is a PH curve.
 /// Throws DomainError on others.
-Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at);
+PHRAME_API Frame<Real> euler_rodrigues_frame(const Path& path, const Place& at);
 /// (e₁, n, b). Throws DomainError at an inflection and on a straight line.
-Frame<Real> frenet_frame(const Path& path, const Place& at);
+PHRAME_API Frame<Real> frenet_frame(const Path& path, const Place& at);
 
 /// @{ The frame that the angle is measured from, and a vector along its e₂, exact where that of the
 /// path is. Throw as that.
-Frame<Real> reference_frame(const PathAngle& angle, const Place& at);
-Vector<Real> second_axis(const PathAngle& angle, const Place& at);
+PHRAME_API Frame<Real> reference_frame(const PathAngle& angle, const Place& at);
+PHRAME_API Vector<Real> second_axis(const PathAngle& angle, const Place& at);
 /// @}
 
 /// The angle at t = 0, or elsewhere, from the reference frame of the angle to f₂; that to a vector
 /// is in (−π, π]. Exact at rational t of PH curves, of a Frenet frame at the start of the path
 /// only. Throws DomainError for a vector that is 0 or along the tangent, and where it is to the
 /// Frenet frame at an inflection, but at the start of a PH curve.
-StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
-                       const Place& at = {0, Rational(0)});
+PHRAME_API StartAngle start_angle(const FrameStart& start, const PathAngle& angle,
+                                  const Place& at = {0, Rational(0)});
 /// The angle at the end of a frame that ends as it starts, at this angle, whole turns not counted.
 /// Throws DomainError where the path is not closed with its e₁.
-StartAngle closing_angle(const StartAngle& start, const PathAngle& angle);
+PHRAME_API StartAngle closing_angle(const StartAngle& start, const PathAngle& angle);
 /// Throws DomainError where the vector has no part across the tangent at the start of the path, or
 /// elsewhere.
-void require_start_normal(const StartNormal& start, const Path& path,
-                          const Place& at = {0, Rational(0)});
+PHRAME_API void require_start_normal(const StartNormal& start, const Path& path,
+                                     const Place& at = {0, Rational(0)});
 
 /// @{ The rotation-minimizing frame that starts at this angle to the reference frame. On PH curves
 /// it is exact at rational t where there is a direction() of the angle and of the start, so on
 /// plane curves and all others with a rational rotation-minimizing frame. The reference frame there
 /// is found, or given.
-Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
-                                      const StartAngle& start = {});
-Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
-                                      const StartAngle& start, const Frame<Real>& reference);
+PHRAME_API Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                                 const StartAngle& start = {});
+PHRAME_API Frame<Real> rotation_minimizing_frame(const PathAngle& angle, const Place& at,
+                                                 const StartAngle& start,
+                                                 const Frame<Real>& reference);
 /// @}
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <variant>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -29,6 +30,7 @@ struct NoRationalFrame {
 
 /// Decides whether the curves with the preimage A ≠ 0 have a rational rotation-minimizing frame
 /// ("RRMF curves"). Cost: the residue polynomial of 2h/σ.
-std::variant<RationalFrame, NoRationalFrame> rational_frame(const QuaternionPolynomial& a);
+PHRAME_API std::variant<RationalFrame, NoRationalFrame> rational_frame(
+    const QuaternionPolynomial& a);
 
 }  // namespace phrame

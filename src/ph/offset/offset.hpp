@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
@@ -11,7 +12,7 @@ namespace phrame {
 /// 0; where the multiplier is negative, behind a cusp at which the curve turns back, e₁ is −r′/|r′|
 /// and that is to the left: the offset is one curve through such cusps, as the frames are [Farouki,
 /// Sakkalis 1990]. Throws DomainError for d = 0 and a curve in no plane z = const.
-RationalCurve offset(const Curve& curve, const Rational& d);
+PHRAME_API RationalCurve offset(const Curve& curve, const Rational& d);
 
 /// What joins the offsets of what meets at a corner, on its outer side.
 enum class OffsetJoin {
@@ -40,11 +41,12 @@ struct Offset {
 /// The offset of a path of PH curves in one plane z = const. At corners it is joined as is asked
 /// for on the outer side; on the inner side the offsets of both sides cross, as they are. Throws
 /// DomainError as above.
-Offset offset(const PhPath& path, const Rational& d, OffsetJoin join = OffsetJoin::round);
+PHRAME_API Offset offset(const PhPath& path, const Rational& d,
+                         OffsetJoin join = OffsetJoin::round);
 
 /// The offset as paths, each as long as can be: it is cut where it is not joined, and where it
 /// turns back at a joint. Straight pieces are PH curves.
-std::vector<Path> paths(const Offset& offset);
+PHRAME_API std::vector<Path> paths(const Offset& offset);
 
 /// A place where 1 + dκ = 0.
 struct OffsetCusp {
@@ -54,6 +56,6 @@ struct OffsetCusp {
 };
 /// All of them, along the offset, isolated by Sturm's theorem. At joints, where the curvature may
 /// jump, the offset may turn back though 1 + dκ ≠ 0 on either side: that is one of them, too.
-std::vector<OffsetCusp> cusps(const Offset& offset);
+PHRAME_API std::vector<OffsetCusp> cusps(const Offset& offset);
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
 namespace phrame {
@@ -6,7 +7,7 @@ namespace phrame {
 /// The certificate of θ(t), correctly rounded to `digits` ≥ 1 significant digits, at each t, and of
 /// what `classify` says of the curve. The same on every machine. Throws DomainError for the Frenet
 /// frame of a straight line and Undecided as the angle's rounding does.
-Certificate certify(const Curve& curve, Reference reference, const std::vector<Rational>& at,
-                    long digits);
+PHRAME_API Certificate certify(const Curve& curve, Reference reference,
+                               const std::vector<Rational>& at, long digits);
 
 }  // namespace phrame

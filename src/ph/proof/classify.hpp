@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -23,7 +24,7 @@ struct Classification {
 
 /// The answers to all questions, their witnesses checked by identities between polynomials and by
 /// Sturm's theorem.
-Classification classify(const Curve& curve);
+PHRAME_API Classification classify(const Curve& curve);
 
 /// What is true of a path as a whole, and of each of its segments.
 struct PathClassification {
@@ -38,6 +39,6 @@ struct PathClassification {
 
 /// Likewise checked; line and plane of a path with segments that are not PH are decided by the form
 /// of these, direction_span().
-PathClassification classify(const Path& path);
+PHRAME_API PathClassification classify(const Path& path);
 
 }  // namespace phrame

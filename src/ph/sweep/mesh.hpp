@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -21,13 +22,13 @@ enum class Coordinates { doubles, floats };
 /// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?
 /// Decided by the numbers of the points, each below that of all. Cost: linear, as sides from one
 /// point are few.
-bool is_watertight(const Mesh& mesh);
+PHRAME_API bool is_watertight(const Mesh& mesh);
 /// The number of the first triangle without an area, its corners being on one line or the same:
 /// decided exactly, for the coordinates as they are.
-std::optional<std::size_t> first_flat_triangle(const Mesh& mesh);
+PHRAME_API std::optional<std::size_t> first_flat_triangle(const Mesh& mesh);
 /// Points − edges + triangles, of a watertight mesh: 2 of a ball, 0 of a torus.
-long euler_characteristic(const Mesh& mesh);
+PHRAME_API long euler_characteristic(const Mesh& mesh);
 /// Of a watertight mesh, in doubles.
-double volume(const Mesh& mesh);
+PHRAME_API double volume(const Mesh& mesh);
 
 }  // namespace phrame

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "phrame/algebra/rational.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -11,7 +12,7 @@ namespace phrame {
 using ProfilePoint = std::array<Rational, 2>;
 
 /// What is swept along a curve: a simple polygon, which may have holes and stand for a curve.
-class Profile {
+class PHRAME_API Profile {
  public:
   /// With these corners, in either order; that the last is the first again does not matter. The
   /// curve that it stands for, if any, has no point farther from the polygon than the error, and
@@ -40,7 +41,7 @@ class Profile {
   double reach() const;
 
  private:
-  friend Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
+  friend PHRAME_API Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
   Profile(Rational error, Rational angle) : error_(std::move(error)), angle_(std::move(angle)) {}
   /// As it is.
   void append_ring(std::vector<ProfilePoint> corners);
@@ -54,14 +55,14 @@ class Profile {
 
 /// A regular polygon with a corner at (radius, 0), its others rounded to doubles. Throws
 /// DomainError for fewer than 3 corners and a radius ≤ 0.
-Profile regular_polygon(long corners, const Rational& radius);
+PHRAME_API Profile regular_polygon(long corners, const Rational& radius);
 /// A polygon within `tolerance` > 0 of the circle, and within the angle where one is given, > 0, at
 /// least a hexagon, with so many corners as that needs. Throws DomainError for a radius ≤ 0, and
 /// where these are more than 10 000.
-Profile circle_profile(const Rational& radius, const Rational& tolerance,
-                       const std::optional<Rational>& angle = std::nullopt);
+PHRAME_API Profile circle_profile(const Rational& radius, const Rational& tolerance,
+                                  const std::optional<Rational>& angle = std::nullopt);
 /// With its center at the origin. Throws DomainError unless both are > 0.
-Profile rectangle_profile(const Rational& width, const Rational& height);
+PHRAME_API Profile rectangle_profile(const Rational& width, const Rational& height);
 
 /// The same with each side in so many equal pieces, ≥ 1 of them.
 Profile subdivided(const Profile& profile, const std::vector<long>& pieces);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/sweep/mesh.hpp"
 
 namespace phrame {
@@ -30,11 +31,11 @@ struct SweptBody {
 /// origin that its coordinates, rounded, are not within the tolerance, or not those of a body;
 /// DomainError where the error of the profile is not below half of the tolerance, or its angle that
 /// of the normals, and for less than 3 sections of a closed path or 2 of another.
-SweptBody sweep(const SweepPath& path, const SweepForm& form);
+PHRAME_API SweptBody sweep(const SweepPath& path, const SweepForm& form);
 
 /// Beside a side of the profile at an angle to the curve for which it stands normals of the surface
 /// differ by so many times that angle, about, where the profile turns or grows: by some sections.
 /// At most 100.
-double side_angle_factor(const SweepPath& path, const SweepForm& form);
+PHRAME_API double side_angle_factor(const SweepPath& path, const SweepForm& form);
 
 }  // namespace phrame

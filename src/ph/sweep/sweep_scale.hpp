@@ -2,11 +2,12 @@
 #include <vector>
 
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
 /// λ along a path: how many times as large a profile is.
-class SweepScale {
+class PHRAME_API SweepScale {
  public:
   SweepScale() : SweepScale(RationalFunction(Polynomial{1})) {}  ///< 1
   /// A rational function of the parameter of the path.

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
@@ -14,7 +15,7 @@ namespace phrame {
 /// either way is of least twist as far as anybody can tell: then that next to π is taken, and
 /// half_turn_within() says so. Copies are cheap and share what was found. To move one is to copy
 /// it.
-class MinimalTwist {
+class PHRAME_API MinimalTwist {
  public:
   /// Whole turns in θ_f − θ_i do not count, however many: where both are known exactly they are
   /// left out before anything is rounded. With `extra_turns` ≠ 0 the frame makes that many more
@@ -76,10 +77,11 @@ class MinimalTwist {
 /// Between these ends; a vector, and the LeastRotation, of `to` is that at the end. Without `to`
 /// the path is closed, and the frame ends as it starts. Throws DomainError as start_angle(), and
 /// where there is no `to` and the path is not closed.
-MinimalTwist minimal_twist(const PathAngle& rmf, const FrameStart& from,
-                           const std::optional<FrameStart>& to, const Integer& extra_turns = 0);
+PHRAME_API MinimalTwist minimal_twist(const PathAngle& rmf, const FrameStart& from,
+                                      const std::optional<FrameStart>& to,
+                                      const Integer& extra_turns = 0);
 
 /// The frame of minimal twist there.
-Frame<Real> minimal_twist_frame(const MinimalTwist& twist, const Place& at);
+PHRAME_API Frame<Real> minimal_twist_frame(const MinimalTwist& twist, const Place& at);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/twist/twist_piece.hpp"
 
 namespace phrame {
@@ -11,7 +12,7 @@ struct SignChanges;
 /// A rational frame along a piece: the Euler–Rodrigues frame turned by θ(τ) = θ(0) + 2·arg w(τ),
 /// with w of degree n, so that f₂, f₃ are rational of degree 2m + 2n where the preimage has degree
 /// m. Copies share what has been computed; any thread may ask them. To move one is to copy it.
-class RationalTwist {
+class PHRAME_API RationalTwist {
  public:
   /// The member of a family with these parameters. A guess of its mean square, where there is one,
   /// saves precision.
@@ -57,7 +58,7 @@ class RationalTwist {
 /// The quadratic w with matched rates whose γ is this one, up to 2^−100 of its size: not the best
 /// one. Throws DomainError for γ = 0, where w would have a zero at the end, and where the rates fix
 /// γ or Δθ ∈ 2πℤ (rotation_family()); Undecided where 8192 bits are too few, as for γ = 10^−3000.
-RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma);
+PHRAME_API RationalTwist twist_with_end_factor(const TwistPiece& piece, const Rational& gamma);
 
 /// The member of a family with one parameter that has the least mean square G, proved: it is the
 /// only one and within `radius` of this parameter.
@@ -91,6 +92,6 @@ struct RationalTwistOptions {
 /// method and the proof; else NLopt's SLSQP from the best of the degree below. Throws DomainError
 /// for a degree that is not offered, and where there is no such rotation; Undecided where none was
 /// found.
-BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options);
+PHRAME_API BestTwist best_twist(const TwistPiece& piece, const RationalTwistOptions& options);
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/twist/rational_twist.hpp"
 
 namespace phrame {
@@ -28,25 +29,25 @@ struct TwistFrame {
 /// Irrational points are taken as rational numbers within 2^−options.bits of them. Throws
 /// DomainError as twist_pieces() and best_twist() do, and where the angle is not that to the
 /// Euler–Rodrigues frame; Undecided where 1000 pieces are not enough.
-TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
-                       const Subdivision& subdivision);
+PHRAME_API TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
+                                  const Subdivision& subdivision);
 
 /// θ at the parameter t ∈ [0, end] of the curve or spline, of the later piece at a joint. Throws
 /// DomainError outside.
-Real value(const TwistFrame& frame, const Real& t);
+PHRAME_API Real value(const TwistFrame& frame, const Real& t);
 
 /// Of one piece: `no` where Ω₁ changes its sign.
-Monotone is_monotone(const RationalTwist& twist);
+PHRAME_API Monotone is_monotone(const RationalTwist& twist);
 /// The same by the sign changes of Ω₁.
-Monotone is_monotone(const SignChanges& changes);
+PHRAME_API Monotone is_monotone(const SignChanges& changes);
 /// Of the whole frame: all pieces, with the same sign.
-Monotone is_monotone(const TwistFrame& frame);
+PHRAME_API Monotone is_monotone(const TwistFrame& frame);
 
 /// An error of Ω₁ times the length of its piece, as a share of |Ω̄₁|; where that is 0, times the
 /// length of the whole.
-Real relative_error(const Real& error, const MinimalTwist& mtf, const Real& length);
+PHRAME_API Real relative_error(const Real& error, const MinimalTwist& mtf, const Real& length);
 
 /// The root mean square of Ω₁ − Ω̄₁ along the whole curve, times its length.
-Real root_mean_square(const TwistFrame& frame);
+PHRAME_API Real root_mean_square(const TwistFrame& frame);
 
 }  // namespace phrame

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/twist/minimal_twist.hpp"
 
 namespace phrame {
@@ -15,7 +16,7 @@ enum class EndRates {
 /// its own. A frame that is the Euler–Rodrigues frame turned by θ(τ) about e₁ turns about e₁ by
 ///   2h/σ + θ′ = erf_rate + θ′  per unit of τ,
 /// and at a constant rate along the curve where that is T·speed [Farouki, Moon 2018, (23), (39)].
-struct TwistPiece {
+struct PHRAME_API TwistPiece {
   Rational from;              ///< the parameters of the curve or spline at τ = 0 and 1
   Rational to;                ///< > from
   RationalFunction erf_rate;  ///< 2h/σ, with dt = (to − from) dτ
@@ -37,22 +38,23 @@ struct TwistPiece {
 
 /// Throws DomainError where the angle is not that to the Euler–Rodrigues frame, which a rational
 /// frame is turned from.
-void require_to_erf(const MinimalTwist& mtf);
+PHRAME_API void require_to_erf(const MinimalTwist& mtf);
 
 /// The pieces of the curve or spline between its joints and the points given, in any order, others
 /// than the ends ignored: each has its share of the twist (39), and the angles between them are
 /// those of the exact frame of minimal twist (40). Throws DomainError for a point outside [0, end],
 /// where the curve has a cusp, at which a turn per unit of length is infinite, and as
 /// require_to_erf().
-std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Rational> points);
+PHRAME_API std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf,
+                                                std::vector<Rational> points);
 
 /// All of a curve, along which a frame is not to turn at all: T = 0, θ that of the
 /// rotation-minimizing frame. Throws DomainError as twist_pieces() does, and where the multiplier
 /// changes sign on [0, 1].
-TwistPiece untwisted_piece(const Curve& curve);
+PHRAME_API TwistPiece untwisted_piece(const Curve& curve);
 
 /// A piece divided at points inside it, in any order: its own pieces.
-std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
-                                std::vector<Rational> points);
+PHRAME_API std::vector<TwistPiece> divided(const MinimalTwist& mtf, const TwistPiece& piece,
+                                           std::vector<Rational> points);
 
 }  // namespace phrame

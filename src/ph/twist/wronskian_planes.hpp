@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/export.hpp"
 
 namespace phrame {
 
@@ -36,7 +37,7 @@ struct WronskianPlanes {
 
 /// For n = 2 and n = 4. Throws DomainError for other n, for N = 0, and where its degree is higher
 /// than 2n − 2.
-WronskianPlanes wronskian_planes(const Polynomial& wronskian, long n);
+PHRAME_API WronskianPlanes wronskian_planes(const Polynomial& wronskian, long n);
 
 /// A pair of polynomials over ℚ next to the best one. The Euler–Rodrigues frame turned by
 /// 2·arg(b + ia) is a rational frame, and ab′ − a′b = 2hσ + defect·(t − origin)²ⁿ⁻², or, with a
