@@ -63,7 +63,7 @@ void value(benchmark::State& state, const QuaternionPolynomial& a, Route route) 
   try {
     for (auto _ : state) {
       Evaluator evaluator(F, rate);
-      evaluator.take(route);
+      evaluator.set_route(route);
       benchmark::DoNotOptimize(evaluator.difference(0, 1, 170));
     }
   } catch (const Undecided&) {

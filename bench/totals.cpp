@@ -17,7 +17,7 @@ void bending_energy(State& state) {
   const Curve curve = random_curve(state.range(0));
   for (auto _ : state) {
     const auto energy = phrame::bending_energy(curve);
-    benchmark::DoNotOptimize(round_to_decimal(std::get<Total>(energy).value, 17));
+    benchmark::DoNotOptimize(round_to_decimal(std::get<CurveTotal>(energy).value, 17));
   }
 }
 
@@ -26,7 +26,7 @@ void frenet_energy(State& state) {
   const Curve curve = random_curve(state.range(0));
   for (auto _ : state) {
     const auto energy = phrame::frenet_energy(curve);
-    benchmark::DoNotOptimize(round_to_decimal(std::get<Total>(energy).value, 17));
+    benchmark::DoNotOptimize(round_to_decimal(std::get<CurveTotal>(energy).value, 17));
   }
 }
 
@@ -34,7 +34,7 @@ void frenet_energy(State& state) {
 void total_torsion(State& state) {
   const Curve curve = random_curve(state.range(0));
   for (auto _ : state) {
-    const Total torsion = phrame::total_torsion(curve);
+    const CurveTotal torsion = phrame::total_torsion(curve);
     benchmark::DoNotOptimize(round_to_decimal(torsion.value, 17));
   }
 }

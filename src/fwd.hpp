@@ -48,7 +48,7 @@ class PathLength;
 class TravelTime;
 struct Feedrate;
 struct FrameAngle;
-struct Total;
+struct CurveTotal;
 struct PathTotal;
 
 // ph/frame

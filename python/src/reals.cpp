@@ -461,8 +461,9 @@ void bind_real(nb::module_& m) {
   m.def(
       "root",
       [](nb::handle p, nb::handle lower, nb::handle upper) {
-        return to_python(real_root(polynomial(p, "polynomial"),
-                                   closed(rational(lower, "lower"), rational(upper, "upper"))));
+        return to_python(
+            real_root(polynomial(p, "polynomial"),
+                      closed_interval(rational(lower, "lower"), rational(upper, "upper"))));
       },
       argument("polynomial"), argument("lower"), argument("upper"),
       nb::sig("def root(polynomial: Polynomial | collections.abc.Sequence[Number], lower: "

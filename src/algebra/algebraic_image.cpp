@@ -16,7 +16,7 @@ RealAlgebraic affine(const RealAlgebraic& x, const Rational& factor, const Ratio
   Rational high = factor * *i.upper + shift;
   if (factor < 0) std::swap(low, high);
   return real_root(compose(x.polynomial(), Polynomial{-shift / factor, 1 / factor}),
-                   open(low, high));
+                   open_interval(low, high));
 }
 
 RealAlgebraic image(const Polynomial& y, const RealAlgebraic& x) {
@@ -29,7 +29,7 @@ RealAlgebraic image(const Polynomial& y, const RealAlgebraic& x) {
   for (long bits = 64;; bits *= 2) {
     const RealBall ball = evaluate(value, enclose(x, bits), bits);
     if (!ball.is_finite()) continue;
-    const Interval around = closed(ball.lower(), ball.upper());
+    const Interval around = closed_interval(ball.lower(), ball.upper());
     if (count_real_roots(p, around) == 1) return real_root(p, around);
   }
 }

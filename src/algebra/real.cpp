@@ -82,7 +82,7 @@ Real operator*(const Real& x, const Real& y) {
       of_both(x, y)};
 }
 
-Real remembered(const Real& x) {
+Real cached(const Real& x) {
   if (x.exact()) return x;
   return {[x, known = Refined<RealBall>()](long bits) {
             return *known.get(bits, [&](const RealBall*) { return x.enclose(bits); });

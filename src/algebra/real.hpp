@@ -60,7 +60,7 @@ PHRAME_API Real operator*(const Real& x, const Real& y);
 /// @}
 /// The same number, which keeps the narrowest ball that it was asked for, for the next time. Its
 /// copies share it.
-PHRAME_API Real remembered(const Real& x);
+PHRAME_API Real cached(const Real& x);
 /// The same number, which is known to be irrational.
 PHRAME_API Real known_irrational(const Real& x);
 /// √x for x ≥ 0, exact where it is rational.

@@ -22,7 +22,7 @@ std::strong_ordering order(const Rational& x, const Rational& y) {
 }  // namespace
 
 RealAlgebraic::RealAlgebraic(const Rational& r)
-    : polynomial_(primitive_part(Polynomial{-r, 1})), interval_(closed(r, r)) {}
+    : polynomial_(primitive_part(Polynomial{-r, 1})), interval_(closed_interval(r, r)) {}
 
 std::optional<Rational> RealAlgebraic::rational() const {
   return is_rational() ? interval_.lower : std::nullopt;
@@ -141,7 +141,7 @@ Real to_real(const RealAlgebraic& a) {
   return {[a](long bits) { return enclose(a, bits); }, {true, bits_of(a)}};
 }
 
-std::string place(std::string_view letter, const RealAlgebraic& a) {
+std::string place_text(std::string_view letter, const RealAlgebraic& a) {
   const auto exact = a.rational();
   return std::string(letter) +
          (exact ? " = " + abbreviated(to_string(*exact)) : " ≈ " + to_string(enclose(a, 64), 12));

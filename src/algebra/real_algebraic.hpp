@@ -78,7 +78,7 @@ PHRAME_API int sign_at(const Polynomial& q, const RealAlgebraic& a);
 PHRAME_API RealBall enclose(const RealAlgebraic& a, long bits);
 
 /// "t = 1/2", "t ≈ 0.584803547642", long fractions abbreviated: where something is, for messages.
-PHRAME_API std::string place(std::string_view letter, const RealAlgebraic& a);
+PHRAME_API std::string place_text(std::string_view letter, const RealAlgebraic& a);
 
 /// The bits of what it is made from: of its polynomial, times the degree.
 PHRAME_API long bits_of(const RealAlgebraic& a);

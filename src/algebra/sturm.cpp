@@ -196,7 +196,7 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
   const Polynomial f = squarefree_part(p);
   const Interval finite = bounded(f, interval);
   std::vector<Interval> found;
-  const auto point = [&](const Rational& t) { found.push_back(closed(t, t)); };
+  const auto point = [&](const Rational& t) { found.push_back(closed_interval(t, t)); };
   RootCounter counter(f);
   // The roots in the open (from, to), in order. It ends because f is squarefree.
   const auto search = [&](const Rational& from, const Rational& to) {
@@ -212,7 +212,7 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
       const auto count = counter.count(a, b, halvings);
       if (count == 0) continue;
       if (count == 1 && sign_at(f, a) * sign_at(f, b) < 0)
-        found.push_back(open(a, b));
+        found.push_back(open_interval(a, b));
       else
         halve(part, parts);
     }
@@ -233,7 +233,7 @@ Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width
   do {
     const Rational middle = (*isolating.lower + *isolating.upper) / 2;
     const int sign = sign_at(f, middle);
-    if (sign == 0) return closed(middle, middle);
+    if (sign == 0) return closed_interval(middle, middle);
     (sign == below ? isolating.lower : isolating.upper) = middle;
   } while (*isolating.upper - *isolating.lower > width);
   return isolating;
@@ -246,7 +246,7 @@ std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& in
     if (base.degree() != 1) continue;
     const Rational root = -base.coefficient(0) / base.coefficient(1);
     for (Interval& i : found)
-      if (*i.lower < root && root < *i.upper) i = closed(root, root);
+      if (*i.lower < root && root < *i.upper) i = closed_interval(root, root);
   }
   for (Interval& i : found) i = narrowed(p, std::move(i), Rational(1, 1 << 20));
   return found;

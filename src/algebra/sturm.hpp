@@ -18,9 +18,13 @@ struct Interval {
 };
 
 inline Interval real_line() { return {}; }  ///< (−∞, ∞)
-inline Interval closed(Rational a, Rational b) { return {std::move(a), std::move(b)}; }  ///< [a, b]
+inline Interval closed_interval(Rational a, Rational b) {
+  return {std::move(a), std::move(b)};
+}  ///< [a, b]
 /// (a, b).
-inline Interval open(Rational a, Rational b) { return {std::move(a), std::move(b), false, false}; }
+inline Interval open_interval(Rational a, Rational b) {
+  return {std::move(a), std::move(b), false, false};
+}
 
 /// "[0, 1]", "(-1/2, ∞)".
 PHRAME_API std::string to_string(const Interval& interval);

@@ -34,7 +34,7 @@ void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery&
 
 AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
   PathAngle angle = angle_to(query.up, named.path, query.reference, query.form);
-  if (query.route != Route::automatic) angle.take(query.route);
+  if (query.route != Route::automatic) angle.set_route(query.route);
   const bool is_closed_form = is_in_closed_form(angle);
   const auto decimal = [&](const Real& x, const std::string& what) {
     return is_closed_form ? rounded(x, what, query.digits) : rounded_or_zero(x, what, query.digits);

@@ -74,7 +74,7 @@ Rational room_below(const Rational& bound, const Real& value, const Rational& th
 CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
   const auto& [t, digits] = query;
   if (t <= 0) throw DomainError("proof: t = " + to_string(t) + " is not positive");
-  if (count_real_roots(sigma(curve.preimage()), closed(0, t)) > 0)
+  if (count_real_roots(sigma(curve.preimage()), closed_interval(0, t)) > 0)
     throw DomainError("proof: the preimage has a zero between 0 and t = " + as_written(t) +
                       ", where h/sigma is undefined");
   const RmfAngle angle(curve);

@@ -51,7 +51,7 @@ const char* name_of(TabulatedScalar kind) {
 /// "t = 3/2", "t ≈ 1.33"; no value where t is not known to be algebraic.
 std::optional<std::string> text_of(const Place& at) {
   const auto t = algebraic_parameter(at);
-  return t ? std::optional(place("t", *t)) : std::nullopt;
+  return t ? std::optional(place_text("t", *t)) : std::nullopt;
 }
 
 /// Of such a curve, but for the arc length.

@@ -39,7 +39,7 @@ Decimal rounded_or_zero(const Real& x, const std::string& name, long digits) {
 
 ErrorSize error_size(const Real& number, const std::string& name, long digits) {
   constexpr long few = 6;
-  const Real x = remembered(number);
+  const Real x = cached(number);
   const Decimal value = rounded_or_zero(x, name, digits);
   if (value.value == "0" && value.radius != "0")
     return {{value.radius, value.radius}, "≤ " + value.radius, true};

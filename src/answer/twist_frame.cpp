@@ -34,7 +34,7 @@ TwistPieceAnswer rounded_piece(const MinimalTwist& mtf, const BestTwist& best, l
   const auto size = [&](const Real& x, const std::string& what, long to_digits) {
     return error_size(relative_error(x, mtf, piece.length), what, to_digits);
   };
-  const Real gamma = remembered(twist.end_factor());
+  const Real gamma = cached(twist.end_factor());
   const SignChanges inflections = twist.inflections(4 * digits + 64);
   TwistPieceAnswer answer{
       piece.from,

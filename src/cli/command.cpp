@@ -15,6 +15,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/corner.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::cli {

@@ -11,6 +11,7 @@
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/profile.hpp"
+#include "phrame/io/read/profile_curve.hpp"
 #include "phrame/io/write/mesh.hpp"
 #include "phrame/io/write/surface.hpp"
 

@@ -11,10 +11,10 @@ AbsoluteIntegral::AbsoluteIntegral(const RootQuotient& f) : integral_(f) {
   const Polynomial& N = integral_.integrand().numerator;
   if (N.is_zero()) return;
   first_sign_ = sign_after_zero(N);
-  for (const RealRoot& root : real_roots(N, open(0, 1))) {
+  for (const RealRoot& root : real_roots(N, open_interval(0, 1))) {
     if (root.order % 2 == 0) continue;
     changes_.push_back(root.at);
-    change_at_.push_back(remembered(to_real(root.at)));
+    change_at_.push_back(cached(to_real(root.at)));
   }
 }
 

@@ -87,7 +87,7 @@ void Evaluator::Function::add_poles_of(const Antiderivative& F) {
 }
 
 void Evaluator::Function::require_no_pole(const Rational& a, const Rational& b) const {
-  const Interval path = closed(std::min(a, b), std::max(a, b));
+  const Interval path = closed_interval(std::min(a, b), std::max(a, b));
   const auto check = [&](const Polynomial& d) {
     if (count_real_roots(d, path) == 0) return;
     const Interval pole = located_real_roots(d, path).front();

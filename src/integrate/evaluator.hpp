@@ -47,7 +47,7 @@ class PHRAME_API Evaluator {
 
   const RationalFunction& derivative() const;  ///< F′
   /// The way to values from now on; that of copies stays.
-  void take(Route route) { route_ = route; }
+  void set_route(Route route) { route_ = route; }
   Route route() const { return route_; }  ///< the way to values
 
   /// A ball around F(b) − F(a) with a radius ≤ 2^−bits · max(1, |F(b) − F(a)|), and on the

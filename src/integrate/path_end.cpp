@@ -39,7 +39,8 @@ Rational next_to(const PiValue& end, const Polynomial& denominator) {
   const Real x = to_real(end);
   for (long bits = 64;; bits *= 2) {
     const RealBall ball = x.enclose(bits);
-    if (ball.is_finite() && count_real_roots(denominator, closed(ball.lower(), ball.upper())) == 0)
+    if (ball.is_finite() &&
+        count_real_roots(denominator, closed_interval(ball.lower(), ball.upper())) == 0)
       return ball.midpoint();
   }
 }

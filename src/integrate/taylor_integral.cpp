@@ -163,7 +163,7 @@ SeriesExpansions expansions(SeriesParts parts, long bits) {
 
 void require_no_zero(const Polynomial& p, const char* name) {
   if (p.is_constant()) return;
-  const std::vector<Interval> zeros = isolate_real_roots(p, closed(0, 1));
+  const std::vector<Interval> zeros = isolate_real_roots(p, closed_interval(0, 1));
   if (zeros.empty()) return;
   const Rational near = (*zeros.front().lower + *zeros.front().upper) / 2;
   throw DomainError(

@@ -14,7 +14,7 @@ namespace {
 
 /// √n, of a number that is no square.
 RealAlgebraic root_of(long n) {
-  return real_roots(Polynomial{Rational(-n), 0, 1}, closed(0, Rational(n))).front().at;
+  return real_roots(Polynomial{Rational(-n), 0, 1}, closed_interval(0, Rational(n))).front().at;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST_CASE("algebraic image: a power that is rational, one that is not, and a quo
   CHECK(image(Polynomial{1, 0, 3}, root_of(5)).rational() == Rational(16));
   // (1 + √5)/2 has the square (3 + √5)/2, a root of y² − 3y + 1.
   const RealAlgebraic golden =
-      real_roots(Polynomial{-1, -1, 1}, closed(Rational(1), Rational(2))).front().at;
+      real_roots(Polynomial{-1, -1, 1}, closed_interval(Rational(1), Rational(2))).front().at;
   const RealAlgebraic square = image(Polynomial{0, 0, 1}, golden);
   CHECK(sign_at(Polynomial{1, -3, 1}, square) == 0);
   CHECK(compare(square, 2) > 0);
@@ -43,7 +43,7 @@ TEST_CASE("algebraic image: a power that is rational, one that is not, and a quo
 
 TEST_CASE("algebraic image: law: it is where the function's value is") {
   for_samples(60, [](Random& random) {
-    const auto roots = real_roots(random.nonconstant_polynomial(4), closed(-20, 20));
+    const auto roots = real_roots(random.nonconstant_polynomial(4), closed_interval(-20, 20));
     if (roots.empty()) return;
     const RealAlgebraic& x = roots.front().at;
     const Polynomial y = random.polynomial(3);

@@ -69,7 +69,7 @@ TEST_CASE("ball polynomial: law: sign changes") {
     Polynomial p{1};
     for (long k = random.integer(0, 4); k > 0; --k) p *= random.nonconstant_polynomial(2);
     Polynomial odd{1};  // the zeros of odd order in (0, 1), each once
-    for (const Interval& zero : isolate_real_roots(p, open(0, 1))) {
+    for (const Interval& zero : isolate_real_roots(p, open_interval(0, 1))) {
       long order = 0;
       for (Polynomial d = p; count_real_roots(gcd(d, p), zero) == 1; d = differentiate(d)) {
         ++order;
@@ -78,7 +78,7 @@ TEST_CASE("ball polynomial: law: sign changes") {
       if (order % 2 == 0) odd = {};  // not decided by balls
     }
     const SignChanges found = sign_changes(BallPolynomial(p, 400), 60);
-    const long expected = odd.is_zero() ? -1 : count_real_roots(p, open(0, 1));
+    const long expected = odd.is_zero() ? -1 : count_real_roots(p, open_interval(0, 1));
     if (found.is_complete() && expected >= 0 && is_squarefree(p))
       CHECK(static_cast<long>(found.at.size()) == expected);
     for (const RealBall& at : found.at) {

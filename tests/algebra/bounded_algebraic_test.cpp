@@ -18,7 +18,7 @@ RealAlgebraic root_of(long n) { return real_root({-n, 0, 1}, {Rational(0), std::
 TEST_CASE("bounded algebraic: √2 + √3 is recognised, with degree 4") {
   const BoundedAlgebraic sum = bounded(root_of(2)) + bounded(root_of(3));
   CHECK(sum.conjugates == 4);
-  CHECK(recognized(sum, 4) == real_root({1, 0, -10, 0, 1}, closed(3, 4)));
+  CHECK(recognized(sum, 4) == real_root({1, 0, -10, 0, 1}, closed_interval(3, 4)));
   CHECK_FALSE(recognized(sum, 3).has_value());
   CHECK(is_root({1, 0, -10, 0, 1}, sum) == true);
   CHECK(is_root({1, 0, -10, 0, 2}, sum) == false);

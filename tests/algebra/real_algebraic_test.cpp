@@ -26,7 +26,7 @@ bool has_accurate_ball(const RealAlgebraic& a, long bits) {
 }  // namespace
 
 TEST_CASE("real algebraic: the square root of 2") {
-  const RealAlgebraic root = real_root({-2, 0, 1}, closed(1, 2));
+  const RealAlgebraic root = real_root({-2, 0, 1}, closed_interval(1, 2));
   CHECK(root.polynomial() == Polynomial{-2, 0, 1});
   CHECK_FALSE(root.is_rational());
   CHECK(compare(root, Rational(1414213562, 1000000000)) > 0);
@@ -41,10 +41,10 @@ TEST_CASE("real algebraic: the square root of 2") {
 TEST_CASE("real algebraic: a rational root of a reducible polynomial is exact") {
   // (3t − 1)(t² − 2)²
   const Polynomial p = Polynomial{-1, 3} * pow(Polynomial{-2, 0, 1}, 2);
-  const RealAlgebraic third = real_root(p, closed(0, 1));
+  const RealAlgebraic third = real_root(p, closed_interval(0, 1));
   CHECK(third.rational() == Rational(1, 3));
   CHECK(third.polynomial() == Polynomial{-1, 3});
-  CHECK(third.interval() == closed(Rational(1, 3), Rational(1, 3)));
+  CHECK(third.interval() == closed_interval(Rational(1, 3), Rational(1, 3)));
   CHECK(third == RealAlgebraic(Rational(1, 3)));
   CHECK(real_root(p, {Rational(1, 3), Rational(2), false, true}) == root_of(2));
   CHECK(RealAlgebraic() == RealAlgebraic(Rational(0)));
@@ -53,14 +53,15 @@ TEST_CASE("real algebraic: a rational root of a reducible polynomial is exact") 
 TEST_CASE("real algebraic: no root or several roots are refused with their number") {
   CHECK_THROWS_WITH_AS(real_root({1, 0, 1}, real_line()),
                        "real_root: no real roots in (−∞, ∞), not one", DomainError);
-  CHECK_THROWS_WITH_AS(real_root({-2, 0, 1}, closed(-2, 2)),
+  CHECK_THROWS_WITH_AS(real_root({-2, 0, 1}, closed_interval(-2, 2)),
                        "real_root: 2 real roots in [-2, 2], not one", DomainError);
   // Of two different factors.
-  CHECK_THROWS_WITH_AS(real_root(Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1}, closed(1, 2)),
-                       "real_root: 2 real roots in [1, 2], not one", DomainError);
-  CHECK_THROWS_AS(real_root({}, closed(0, 1)), DomainError);
-  CHECK_THROWS_AS(real_root({5}, closed(0, 1)), DomainError);
-  CHECK_THROWS_AS(real_root({-2, 0, 1}, closed(2, 1)), DomainError);
+  CHECK_THROWS_WITH_AS(
+      real_root(Polynomial{-2, 0, 1} * Polynomial{-3, 0, 1}, closed_interval(1, 2)),
+      "real_root: 2 real roots in [1, 2], not one", DomainError);
+  CHECK_THROWS_AS(real_root({}, closed_interval(0, 1)), DomainError);
+  CHECK_THROWS_AS(real_root({5}, closed_interval(0, 1)), DomainError);
+  CHECK_THROWS_AS(real_root({-2, 0, 1}, closed_interval(2, 1)), DomainError);
 }
 
 TEST_CASE("real algebraic: numbers that differ by 10^-60 are told apart") {
@@ -74,11 +75,12 @@ TEST_CASE("real algebraic: numbers that differ by 10^-60 are told apart") {
 }
 
 TEST_CASE("real algebraic: the same number from different intervals and polynomials is the same") {
-  const RealAlgebraic narrow = real_root({-2, 0, 1}, closed(Rational(14, 10), Rational(15, 10)));
+  const RealAlgebraic narrow =
+      real_root({-2, 0, 1}, closed_interval(Rational(14, 10), Rational(15, 10)));
   const RealAlgebraic wide = real_root({-4, 0, 0, 0, 1}, {Rational(0), std::nullopt});
   CHECK(narrow == wide);
   CHECK(wide == narrow);
-  CHECK(real_root({-2, 0, 1}, closed(-2, 0)) < narrow);
+  CHECK(real_root({-2, 0, 1}, closed_interval(-2, 0)) < narrow);
 }
 
 // Mignotte's polynomial: two of its roots, next to 10⁻³, differ by about 10⁻¹⁷.
@@ -151,7 +153,7 @@ TEST_CASE("real roots: ascending, each once, with its order") {
   CHECK(roots[0] == RealRoot{real_root({-2, 0, 1}, {std::nullopt, Rational(0)}), 3});
   CHECK(roots[1] == RealRoot{real_root({-2, 0, 1}, {Rational(0), std::nullopt}), 3});
   CHECK(roots[2] == RealRoot{Rational(3, 2), 2});
-  CHECK(real_roots(p, closed(Rational(3, 2), 9)).size() == 1);
+  CHECK(real_roots(p, closed_interval(Rational(3, 2), 9)).size() == 1);
   CHECK(real_roots({1, 0, 1}, real_line()).empty());
   CHECK_THROWS_AS(real_roots({}, real_line()), DomainError);
 }
@@ -185,11 +187,11 @@ TEST_CASE("real algebraic: a root next to a fraction that could be one is not ra
 }
 
 TEST_CASE("real algebraic: a place is a number or a decimal, a long number abbreviated") {
-  CHECK(place("t", Rational(1, 2)) == "t = 1/2");
-  CHECK(place("s", Rational(-3)) == "s = -3");
+  CHECK(place_text("t", Rational(1, 2)) == "t = 1/2");
+  CHECK(place_text("s", Rational(-3)) == "s = -3");
   // ∛(1/5) = 0.584803547642573…
-  CHECK(place("t", real_root({-1, 0, 0, 5}, closed(0, 1))) == "t ≈ 0.584803547643");
-  CHECK(place("t", parse_rational("1e-500")).size() < 90);
+  CHECK(place_text("t", real_root({-1, 0, 0, 5}, closed_interval(0, 1))) == "t ≈ 0.584803547643");
+  CHECK(place_text("t", parse_rational("1e-500")).size() < 90);
 }
 
 }  // namespace real_algebraic_test

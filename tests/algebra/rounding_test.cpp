@@ -42,7 +42,7 @@ TEST_CASE("rounding: what is near to a boundary is told from it as far as it may
   const Real long_number(balls, {false, 20000});
   const Real irrational(balls, {true, 0});
   for (const Real& x : {long_number, irrational, -irrational, irrational + Rational(7, 3),
-                        Rational(2) * irrational, remembered(irrational)})
+                        Rational(2) * irrational, cached(irrational)})
     CHECK_NOTHROW(round_to_decimal(x, 20));
   CHECK(round_to_decimal(long_number * Rational(3, 100), 1).value == "0.02");
   CHECK(round_to_decimal(irrational * Rational(3, 100), 1).value == "0.02");
@@ -128,7 +128,7 @@ TEST_CASE("rounding: a number far below the first precision still gets all its d
 
 TEST_CASE("real: a remembered number is computed anew for more bits only") {
   int asked = 0;
-  const Real third = remembered(Real([&asked](long bits) {
+  const Real third = cached(Real([&asked](long bits) {
     ++asked;
     return RealBall(Rational(1, 3), bits);
   }));
@@ -138,7 +138,7 @@ TEST_CASE("real: a remembered number is computed anew for more bits only") {
   CHECK(asked == 1);
   CHECK(copy.enclose(200).radius() < Rational(1, Integer(1) << 190U));
   CHECK(asked == 2);
-  CHECK(remembered(Real(Rational(1, 2))).exact() == Rational(1, 2));
+  CHECK(cached(Real(Rational(1, 2))).exact() == Rational(1, 2));
 }
 
 TEST_CASE("rounding: the double that all of a ball rounds to") {

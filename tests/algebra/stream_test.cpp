@@ -53,7 +53,7 @@ TEST_CASE("<<: polynomials and their quotients") {
 
 TEST_CASE("<<: angles and intervals") {
   CHECK(printed(Angle(Rational(1, 4), Rational(1, 3))) == "1/3 + pi/4");
-  CHECK(printed(closed(0, Rational(1, 2))) == "[0, 1/2]");
+  CHECK(printed(closed_interval(0, Rational(1, 2))) == "[0, 1/2]");
 }
 
 TEST_CASE("<<: a ball by digits and a bound of what they are off") {
@@ -73,6 +73,6 @@ TEST_CASE("<<: a real number exactly where it is exact, else as a ball") {
 
 TEST_CASE("<<: a real algebraic number by its polynomial and its interval") {
   CHECK(printed(RealAlgebraic(Rational(1, 2))) == "1/2");
-  const RealAlgebraic root = real_root(Polynomial{-2, 0, 1}, closed(1, 2));
+  const RealAlgebraic root = real_root(Polynomial{-2, 0, 1}, closed_interval(1, 2));
   CHECK(printed(root) == "root of t^2 - 2 in " + to_string(root.interval()));
 }

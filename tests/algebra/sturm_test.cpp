@@ -51,12 +51,12 @@ bool contains(const Interval& i, const Rational& t) {
 
 TEST_CASE("sturm: roots at the ends count where the end is closed") {
   const Polynomial p{0, -1, 1};  // t(t − 1)
-  CHECK(count_real_roots(p, closed(0, 1)) == 2);
-  CHECK(count_real_roots(p, open(0, 1)) == 0);
+  CHECK(count_real_roots(p, closed_interval(0, 1)) == 2);
+  CHECK(count_real_roots(p, open_interval(0, 1)) == 0);
   CHECK(count_real_roots(p, {0, 1, false, true}) == 1);
-  CHECK(count_real_roots(p, closed(1, 1)) == 1);
-  CHECK(count_real_roots(p, open(1, 1)) == 0);
-  CHECK(count_real_roots(p, closed(1, 0)) == 0);
+  CHECK(count_real_roots(p, closed_interval(1, 1)) == 1);
+  CHECK(count_real_roots(p, open_interval(1, 1)) == 0);
+  CHECK(count_real_roots(p, closed_interval(1, 0)) == 0);
   CHECK(count_real_roots(p, real_line()) == 2);
   CHECK(count_real_roots({7}, real_line()) == 0);
   CHECK_THROWS_AS(count_real_roots({}, real_line()), DomainError);
@@ -66,8 +66,8 @@ TEST_CASE("sturm: roots closer than 10^-30 are told apart, near misses are no ro
   const Rational tiny = parse_rational("1e-30");
   const Rational third(1, 3);
   const Polynomial close = Polynomial{-third, 1} * Polynomial{-third - tiny, 1};
-  CHECK(count_real_roots(close, closed(0, 1)) == 2);
-  CHECK(isolate_real_roots(close, closed(0, 1)).size() == 2);
+  CHECK(count_real_roots(close, closed_interval(0, 1)) == 2);
+  CHECK(isolate_real_roots(close, closed_interval(0, 1)).size() == 2);
   const Polynomial miss = Polynomial{third * third + tiny, -2 * third, 1};  // (t − 1/3)² + 10^-30
   CHECK(count_real_roots(miss, real_line()) == 0);
 }
@@ -75,7 +75,7 @@ TEST_CASE("sturm: roots closer than 10^-30 are told apart, near misses are no ro
 TEST_CASE("sturm: roots that take thousands of bisections to part are isolated") {
   const Rational tiny = Rational(1) / Rational(pow(Integer(10), 800));
   const Polynomial p = Polynomial{-1, 1} * Polynomial{-tiny, 1} * Polynomial{-2 * tiny, 1};
-  const auto found = isolate_real_roots(p, open(0, 1));
+  const auto found = isolate_real_roots(p, open_interval(0, 1));
   REQUIRE(found.size() == 2);
   CHECK((*found[0].lower <= tiny && tiny <= *found[0].upper));
   CHECK((*found[1].lower <= 2 * tiny && 2 * tiny <= *found[1].upper));
@@ -107,7 +107,7 @@ TEST_CASE("sturm: located roots are points where they are rational, else narrow"
   // (t − 1/3)(t² − 2)
   const auto found = located_real_roots(Polynomial{-1, 3} * Polynomial{-2, 0, 1}, real_line());
   REQUIRE(found.size() == 3);
-  CHECK(found[1] == closed(Rational(1, 3), Rational(1, 3)));
+  CHECK(found[1] == closed_interval(Rational(1, 3), Rational(1, 3)));
   CHECK(*found[2].upper - *found[2].lower <= Rational(1, 1 << 20));
   CHECK(*found[2].lower * *found[2].lower < 2);
   CHECK(*found[2].upper * *found[2].upper > 2);

@@ -91,7 +91,7 @@ TEST_CASE("zero bound: of a number that may be transcendental nothing is claimed
   CHECK(!of_sum(zero_bound(Rational(1)), {}).is_known());
   CHECK(!of_product({}, zero_bound(Rational(1))).is_known());
   CHECK(!of_square_root({}).is_known());
-  ZeroBound many = zero_bound(real_root({-2, 0, 1}, closed(1, 2)));
+  ZeroBound many = zero_bound(real_root({-2, 0, 1}, closed_interval(1, 2)));
   for (int k = 0; k < 40; ++k) many = of_sum(many, many);
   CHECK(!many.is_known());  // and no overflow
 }

@@ -156,7 +156,7 @@ TEST_CASE("frame table: arc length, curvature, torsion and the rate of the Frene
 // which is 0.70710678118654752440…: y = 1/2, e₁ = (1/3, 2√2/3, 0), κ = 8/9, s = t + t³/3 = 7√2/12.
 TEST_CASE("frame table: at an irrational t the rational values are exact, the others rounded") {
   const Curve curve({Polynomial{1}, Polynomial(), Polynomial(), Polynomial{0, 1}});
-  const RealAlgebraic t = real_root({-1, 0, 2}, closed(0, 1));
+  const RealAlgebraic t = real_root({-1, 0, 2}, closed_interval(0, 1));
   const TableColumns columns{
       {Kind::rmf, Kind::frenet, Kind::euler_rodrigues},
       {TabulatedScalar::curvature, TabulatedScalar::torsion, TabulatedScalar::arc_length}};
@@ -210,7 +210,7 @@ TEST_CASE("frame table: scalars that are undefined or infinite are refused, with
   CHECK(message(line, TabulatedScalar::curvature, Rational(0)).empty());
   const Polynomial c{-1, 0, 2};
   const Curve cusped({c, Polynomial(), Polynomial(), c * Polynomial{0, 1}});
-  const RealAlgebraic cusp = real_root(c, closed(0, 1));
+  const RealAlgebraic cusp = real_root(c, closed_interval(0, 1));
   CHECK(contains(message(cusped, TabulatedScalar::curvature, cusp),
                  "curvature: infinite at t ≈ 0.707106781187"));
   CHECK(message(cusped, TabulatedScalar::curvature, Rational(1)).empty());
@@ -247,7 +247,7 @@ TEST_CASE("frame table: the rotation-minimizing frame starts where it is asked t
   CHECK(at(Rational(1)) ==
         Row{-0.34706300803479110769, 0.26029725602609333076, 0.90099534236261673487});
   // At an irrational t between two rational ones.
-  const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));
+  const RealAlgebraic root = real_root({-1, 0, 2}, closed_interval(0, 1));
   const Rational near = parse_rational("0.70710678118654752440084436210484903928");
   const Row exact = at(root);
   const Row beside = at(near);

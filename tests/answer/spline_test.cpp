@@ -97,8 +97,8 @@ TEST_CASE("frame table: of a spline, in equal steps of t and at its joints") {
 TEST_CASE("frame table: pieces have the frames of the whole, at algebraic t as well") {
   const NamedPhPath cut = cut_quintic();
   const Curve whole = test::farouki_quintic().curve;
-  const RealAlgebraic root = real_root({-1, 0, 2}, closed(0, 1));       // √2/2
-  const RealAlgebraic on_whole = real_root({-1, -6, 9}, closed(0, 1));  // 1/3 + 2/3·√2/2
+  const RealAlgebraic root = real_root({-1, 0, 2}, closed_interval(0, 1));       // √2/2
+  const RealAlgebraic on_whole = real_root({-1, -6, 9}, closed_interval(0, 1));  // 1/3 + 2/3·√2/2
   const auto pieces = frame_table(PathAngle(cut.path), columns, {Place{1, root}});
   const auto row = frame_table(whole, columns, std::vector<RealAlgebraic>{on_whole});
   for (std::size_t k = 1; k < row.columns.size(); ++k) CHECK(pieces.rows[0][k] == row.rows[0][k]);

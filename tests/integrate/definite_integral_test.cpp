@@ -72,7 +72,7 @@ bool exists(const RationalFunction& f, const Endpoint& a, const Endpoint& b, AtP
   if ((x == nullptr || y == nullptr) && drop < (principal && whole_line ? 1 : 2)) return false;
   if (x == nullptr && y == nullptr && a == b) return true;
   Interval path;
-  if (x != nullptr && y != nullptr) path = closed(std::min(*x, *y), std::max(*x, *y));
+  if (x != nullptr && y != nullptr) path = closed_interval(std::min(*x, *y), std::max(*x, *y));
   if (a == infinity || b == infinity)
     path.lower = x != nullptr ? std::optional(*x) : y != nullptr ? std::optional(*y) : std::nullopt;
   else if (a == minus_infinity || b == minus_infinity)
@@ -236,18 +236,18 @@ TEST_CASE("definite integral: logarithms at algebraic ends that cancel are seen 
   // t⁵ − t + 3 = 31/10 at both ends.
   const Polynomial ends{-1, -10, 0, 0, 0, 10};
   const RationalFunction f({-1, 0, 0, 0, 5}, {3, -1, 0, 0, 0, 1});
-  const Endpoint low = real_root(ends, closed(Rational(-1, 2), Rational(1, 2)));
-  const Endpoint high = real_root(ends, closed(Rational(1, 2), Rational(3, 2)));
+  const Endpoint low = real_root(ends, closed_interval(Rational(-1, 2), Rational(1, 2)));
+  const Endpoint high = real_root(ends, closed_interval(Rational(1, 2), Rational(3, 2)));
   CHECK(definite_integral(f, low, high).value.exact() == Rational(0));
   CHECK_FALSE(definite_integral(f, low, rational(2)).value.exact().has_value());
   // t³ − t − 1 is 1 at the end and −1 at 0.
-  const Endpoint end = real_root({-2, -1, 0, 1}, closed(1, 2));
+  const Endpoint end = real_root({-2, -1, 0, 1}, closed_interval(1, 2));
   CHECK(definite_integral({{-1, 0, 3}, {-1, -1, 0, 1}}, end, rational(0), AtPoles::principal_value)
             .value.exact() == Rational(0));
   // ∫ 3/t − 2/(t − 1) is log|t³/(t − 1)²|, log 8 at 2. t³ = 8(t − 1)² also at 3 + √5, and
   // t³ = −8(t − 1)² where t³ + 8t² − 16t + 8 = 0, at a t < 0.
   const RationalFunction g({-3, 1}, {0, -1, 1});
-  const Endpoint same = real_root({4, -6, 1}, closed(5, 6));
+  const Endpoint same = real_root({4, -6, 1}, closed_interval(5, 6));
   CHECK(definite_integral(g, rational(2), same).value.exact() == Rational(0));
   const Endpoint opposite = real_root({8, -16, 8, 1}, {std::nullopt, Rational(0)});
   CHECK(definite_integral(g, opposite, rational(2), AtPoles::principal_value).value.exact() ==
@@ -285,18 +285,18 @@ TEST_CASE("definite integral: multiples of π by an algebraic number") {
   };
   // Over the line π/√2, over half of it half as much, also where it is even about another point.
   const RationalFunction f({1}, {1, 0, 0, 0, 1});
-  const RealAlgebraic half_root = real_root({-1, 0, 2}, closed(0, 1));
+  const RealAlgebraic half_root = real_root({-1, 0, 2}, closed_interval(0, 1));
   CHECK(multiple(f, minus_infinity, infinity) == half_root);
-  CHECK(multiple(f, infinity, rational(0)) == real_root({-1, 0, 8}, closed(-1, 0)));
+  CHECK(multiple(f, infinity, rational(0)) == real_root({-1, 0, 8}, closed_interval(-1, 0)));
   const Polynomial s{-2, 1};
   CHECK(multiple({{1}, Polynomial{1} + pow(s, 4)}, rational(2), infinity) ==
-        real_root({-1, 0, 8}, closed(0, 1)));
+        real_root({-1, 0, 8}, closed_interval(0, 1)));
   // −2(1 − t²)/(1 + t⁴) is 0 over the line: t → 1/t changes its sign.
   CHECK(definite_integral({{-2, 0, 2}, {1, 0, 0, 0, 1}}, minus_infinity, infinity).value.exact() ==
         Rational(0));
   // ω = e^{2πi/3}: from 0 to 1 t − ω turns by 30°, π/(3√3).
   CHECK(multiple({{1}, {1, 1, 1}}, rational(0), rational(1)) ==
-        real_root({-1, 0, 27}, closed(0, 1)));
+        real_root({-1, 0, 27}, closed_interval(0, 1)));
   // A generic denominator of degree 4, neither even nor cyclotomic: the value mpmath.quad gives.
   CHECK(digits(definite_integral({{1}, {1, 1, 0, 0, 1}}, minus_infinity, infinity), 17) ==
         "2.6835482442564765");
@@ -369,7 +369,7 @@ TEST_CASE(
     const auto* x = std::get_if<Rational>(&a);
     const auto* y = std::get_if<Rational>(&b);
     if (x != nullptr && y != nullptr &&
-        count_real_roots(f.denominator(), closed(std::min(*x, *y), std::max(*x, *y))) == 0)
+        count_real_roots(f.denominator(), closed_interval(std::min(*x, *y), std::max(*x, *y))) == 0)
       CHECK(enclosure.overlaps(quadrature(f, *x, *y, 60)));
   });
 }

@@ -174,7 +174,7 @@ TEST_CASE("definite: law: enclosures overlap Arb's quadrature, for every form") 
     const RationalFunction f(random.polynomial(6), d);
     const Rational a = random.integer(-3, 3);
     const Rational b = a + Rational(random.integer(1, 8), 4);
-    if (count_real_roots(f.denominator(), closed(a, b)) > 0) return;
+    if (count_real_roots(f.denominator(), closed_interval(a, b)) > 0) return;
     const RealBall expected = quadrature(f, a, b, 80);
     RealBall first;
     for (const Form form : {Form::automatic, Form::partial_fractions, Form::rothstein_trager,
@@ -208,7 +208,7 @@ TEST_CASE("definite: law: all routes lead to the same value, as accurate as aske
     const RealBall expected = Evaluator(F).difference(a, b, 300);
     for (const auto route : {Route::automatic, Route::roots, Route::quadrature, Route::both}) {
       Evaluator evaluator(F, f);
-      evaluator.take(route);
+      evaluator.set_route(route);
       for (const long bits : {40L, 130L, 60L, 90L, 200L, 250L}) {
         const RealBall value = evaluator.difference(a, b, bits);
         CHECK(value.overlaps(expected));
@@ -223,11 +223,11 @@ TEST_CASE("definite: law: all routes lead to the same value, as accurate as aske
     CHECK_FALSE(has_no_clear_root(squarefree_part(f.denominator())));
     const Rational a = random.integer(-3, 3);
     const Rational b = a + Rational(random.integer(1, 8), 4);
-    if (count_real_roots(f.denominator(), closed(a, b)) == 0) check(f, a, b);
+    if (count_real_roots(f.denominator(), closed_interval(a, b)) == 0) check(f, a, b);
   });
   for (const auto route : {Route::quadrature, Route::both}) {
     Evaluator pole(integrate({{1}, {-1, 3}}));
-    pole.take(route);
+    pole.set_route(route);
     CHECK_THROWS_WITH_AS(pole.difference(0, 1, 60), doctest::Contains("pole at 1/3"), DomainError);
   }
 }

@@ -9,7 +9,9 @@ using namespace phrame;
 
 namespace {
 
-RealAlgebraic root_of_two() { return real_roots(Polynomial{-2, 0, 1}, closed(0, 2)).front().at; }
+RealAlgebraic root_of_two() {
+  return real_roots(Polynomial{-2, 0, 1}, closed_interval(0, 2)).front().at;
+}
 
 }  // namespace
 

@@ -83,7 +83,7 @@ TEST_CASE("path end: law: a path through pi has the integral of its two parts") 
   for_samples(30, [](Random& random) {
     const RationalFunction f(random.polynomial(3), random.nonzero_polynomial(4));
     const PiValue middle = of_pi({random.rational(), 1});
-    if (count_real_roots(f.denominator(), closed(-20, 20)) > 0) return;
+    if (count_real_roots(f.denominator(), closed_interval(-20, 20)) > 0) return;
     const RealBall left = path_integral(f, Rational(-5), middle).value.enclose(bits);
     const RealBall right = path_integral(f, middle, Rational(7)).value.enclose(bits);
     const RealBall whole = Evaluator(integrate(f)).difference(-5, 7, bits);

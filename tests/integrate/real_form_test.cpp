@@ -84,7 +84,7 @@ void check_values(const RationalFunction& f, const RealForm& form) {
   Evaluator evaluator(integrate(f));
   Rational last = -6;
   for (Rational t = last + Rational(3, 7); t < 6; t += Rational(3, 7)) {
-    if (count_real_roots(f.denominator(), closed(last, t)) == 0) {
+    if (count_real_roots(f.denominator(), closed_interval(last, t)) == 0) {
       const RealBall change = subtract(value(form, t), value(form, last), bits);
       CHECK(change.is_finite());
       CHECK(change.overlaps(evaluator.difference(last, t, 100)));

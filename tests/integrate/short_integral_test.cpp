@@ -49,8 +49,8 @@ TEST_CASE("short integral: zeros of the integrand at the end make it smaller, no
 TEST_CASE("short integral: between algebraic ends") {
   // ∫ dt/t from √2 to √(2 + δ) is log(1 + δ/2)/2 = δ/4·(1 − δ/4 + …).
   const Rational delta = parse_rational("1e-300");
-  const Endpoint a = real_root({-2, 0, 1}, closed(1, 2));
-  const Endpoint b = real_root({-2 - delta, 0, 1}, closed(1, 2));
+  const Endpoint a = real_root({-2, 0, 1}, closed_interval(1, 2));
+  const Endpoint b = real_root({-2 - delta, 0, 1}, closed_interval(1, 2));
   const auto value = short_integral({{1}, {0, 1}}, a, b, 100);
   REQUIRE(value);
   CHECK(is_relatively_accurate(*value, 100));
@@ -86,7 +86,7 @@ TEST_CASE("short integral: law: it is what the poles and residues give") {
     if (!value) return;
     CHECK(value->is_accurate(80));
     Evaluator evaluator(integrate(f), f);
-    evaluator.take(Route::roots);
+    evaluator.set_route(Route::roots);
     CHECK(value->overlaps(evaluator.difference(a, a + h, 3000)));
   });
 }

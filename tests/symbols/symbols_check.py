@@ -25,25 +25,23 @@ def shared(library, compiler, folder):
     return made
 
 
-def without_defaults(name):
-    """Without the template arguments that nobody writes."""
-    name = name.replace("std::__cxx11::", "std::").replace("[abi:cxx11]", "").replace("> >", ">>")
-    for char in ("char",):
-        traits = f"std::char_traits<{char}>"
-        name = name.replace(f"std::basic_string<{char}, {traits}, std::allocator<{char}>>", "std::string")
-        name = name.replace(f"std::basic_string_view<{char}, {traits}>", "std::string_view")
-        name = name.replace(f"std::basic_ostream<{char}, {traits}>", "std::ostream")
-    # std::allocator<X>, and before it a comma: the last argument of a container of X.
-    start = name.find(", std::allocator<")
+def readable(name):
+    """As it is declared: without what nobody writes, as defaults of templates, nor the inline namespace of the version."""
+    name = re.sub(r"\bphrame::(v\d\w*::)?", "", name)
+    name = name.replace("std::__cxx11::", "std::").replace("[abi:cxx11]", "").replace("> >", ">>").replace("> >", ">>")
+    name = name.replace("std::basic_string<char, std::char_traits<char>, std::allocator<char>>", "std::string")
+    name = name.replace("std::basic_string_view<char, std::char_traits<char>>", "std::string_view")
+    name = name.replace("std::basic_ostream<char, std::char_traits<char>>", "std::ostream")
+    start = name.find(", std::allocator<")  # the last argument of a container
     while start >= 0:
         end, depth = name.index("<", start) + 1, 1
         while depth:
             depth += {"<": 1, ">": -1}.get(name[end], 0)
             end += 1
-        name = name[:start] + name[end:]
+        name = name[:start] + name[end:].lstrip(" ")
         start = name.find(", std::allocator<")
-    name = re.sub(r"std::less<[^<>]*>", "std::less<>", name).replace(", std::less<>", "")
-    return re.sub(r"\b(\d+)ul\b", r"\1", name).replace(" const&", " const&")
+    name = re.sub(r"std::array<(\w+), 3ul>", r"Vector<\1>", name)
+    return re.sub(r"\b(\d+)ul\b", r"\1", name)
 
 
 def symbols(library):
@@ -51,10 +49,9 @@ def symbols(library):
     for line in run("nm", "--dynamic", "--defined-only", "--demangle", library).splitlines():
         kind, name = line.split(maxsplit=2)[1:]
         # Not what is weak: of templates and inline functions some are there, by one compiler, and some not.
-        is_thrown = re.fullmatch(r"typeinfo for phrame::\w+", name)
-        if is_thrown or (kind in "TDBR" and not re.match(r"(typeinfo|vtable|VTT|guard|non-virtual)", name)):
-            found.add(without_defaults(name))
-    return {name for name in found if "phrame::" in name}
+        if re.match(r"phrame::" if kind in "TDBR" else r"typeinfo for phrame::(v\d\w*::)?\w+$", name):
+            found.add(readable(name))
+    return found
 
 
 def main(library, compiler, *options):

@@ -83,14 +83,14 @@ StatedPoint read_stated_point(const JsonNode& node) {
   const JsonNode t = node.at("t");
   if (!t.is(Kind::object)) {
     const Rational at = t.number();
-    return {primitive_part(Polynomial{-at, 1}), closed(at, at), order};
+    return {primitive_part(Polynomial{-at, 1}), closed_interval(at, at), order};
   }
   t.require_known_keys({"polynomial", "interval"});
   Polynomial polynomial = read_polynomial(t.at("polynomial"));
   if (polynomial.is_constant()) t.at("polynomial").fail("the polynomial is constant");
   const auto ends = t.at("interval").numbers(2);
   if (ends[0] >= ends[1]) t.at("interval").fail("the interval is empty");
-  return {std::move(polynomial), open(ends[0], ends[1]), order};
+  return {std::move(polynomial), open_interval(ends[0], ends[1]), order};
 }
 
 /// A decimal number as it is written.

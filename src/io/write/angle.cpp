@@ -94,13 +94,13 @@ std::string curve_text(const AngleAnswer& answer, const Curve& curve) {
   if (!erf) text += fmt::format("  g = {}\n", readable(bend_numerator(preimage)));
   for (const RealRoot& cusp : cusps(curve))
     text += fmt::format("  r′ = 0 at {}: frames and angle are continued through\n",
-                        place("t", cusp.at));
+                        place_text("t", cusp.at));
   if (const std::string note = note_on_sign(curve); !note.empty())
     text += fmt::format("  {}\n", prose(note, unicode));
   if (!erf)
     for (const RealRoot& flip : odd(inflections(preimage)))
       text += fmt::format("  inflection at {}: (n, b) flip there, the angle is continued through\n",
-                          place("t", flip.at));
+                          place_text("t", flip.at));
   text += fmt::format(
       "\nThe rotation-minimizing frame is the {} frame turned by θ about the tangent:\n",
       erf ? "Euler–Rodrigues" : "Frenet");

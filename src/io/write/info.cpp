@@ -47,7 +47,7 @@ Value cusps_value(const std::vector<RealRoot>& cusps) {
       const auto exact = cusp.at.rational();
       list.push_back(formula(notation == Notation::latex && exact
                                  ? "t = " + formatted(*exact, notation)
-                                 : place("t", cusp.at),
+                                 : place_text("t", cusp.at),
                              notation));
     }
     return list;

@@ -92,12 +92,12 @@ std::string exact_formula(const PathTotal& total) {
 }
 
 /// What the integral is of a curve.
-std::string integral(const Total& total, Notation notation) {
+std::string integral(const CurveTotal& total, Notation notation) {
   return times_root(total.radicand, total.sign_changes.empty() ? "F(1) − F(0)" : "∫₀¹ ±F′\\, dt",
                     notation);
 }
 
-Value sign_changes(const Total& total) {
+Value sign_changes(const CurveTotal& total) {
   const auto rows = [&](Notation notation) {
     std::string places;
     for (const RealAlgebraic& turn : total.sign_changes)
@@ -114,7 +114,7 @@ Value sign_changes(const Total& total) {
 }
 
 /// The integrand and its antiderivative.
-Fields formula_fields(const Total& total) {
+Fields formula_fields(const CurveTotal& total) {
   const auto rate = [&](Notation notation) {
     return formula(formatted_quotient(total.rate, notation), notation);
   };
@@ -137,15 +137,15 @@ std::vector<std::size_t> closed_forms_of_some(const Row& row) {
   if (!row.total) return found;
   const auto& segments = row.total->segments;
   for (std::size_t k = 0; k < segments.size(); ++k)
-    if (std::holds_alternative<Total>(segments[k])) found.push_back(k + 1);
+    if (std::holds_alternative<CurveTotal>(segments[k])) found.push_back(k + 1);
   if (found.size() == segments.size()) found.clear();
   return found;
 }
 
 /// Of a curve by itself that has one.
-const Total* closed_form(const Row& row) {
+const CurveTotal* closed_form(const Row& row) {
   const bool is_of_curve = row.value && row.total && row.total->segments.size() == 1;
-  return is_of_curve ? std::get_if<Total>(&row.total->segments.front()) : nullptr;
+  return is_of_curve ? std::get_if<CurveTotal>(&row.total->segments.front()) : nullptr;
 }
 
 bool is_energy(const Row& row) {
@@ -158,7 +158,7 @@ std::string to_text(const Row& row, bool has_corners) {
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
-  const Total* total = closed_form(row);
+  const CurveTotal* total = closed_form(row);
   if (total) text += prose(fmt::format(" = ${}$ with", integral(*total, unicode)), unicode);
   text += "\n";
   for (const auto& [label, words] : rows(total ? formula_fields(*total) : Fields(), unicode))
@@ -180,7 +180,7 @@ std::string equation(const Row& row) {
   if (row.infinite) return "$∞$, the pole is at $t =$ " + in_words(row.infinite->pole, latex);
   if (!row.value) return row.reason;
   std::string text;
-  if (const Total* total = closed_form(row)) text += " = " + integral(*total, latex);
+  if (const CurveTotal* total = closed_form(row)) text += " = " + integral(*total, latex);
   const std::string exact = exact_text(row, latex);
   if (!exact.empty()) text += " = " + exact;
   const std::string decimal = latex_decimal(row.value->value);
@@ -191,7 +191,7 @@ std::string equation(const Row& row) {
 Fields latex_fields(const Row& row) {
   const auto words = [&row](Notation) { return equation(row); };
   Fields fields{{"", name(row), {Value::Words(words), {}}}};
-  const Total* total = closed_form(row);
+  const CurveTotal* total = closed_form(row);
   const Fields more = total ? formula_fields(*total) : Fields();
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;
@@ -205,7 +205,7 @@ JsonOutput json_of(const Row& row, bool is_curve) {
   }
   if (!row.value) return {{"value", nullptr}, {"reason", row.reason}};
   JsonOutput json = phrame::json_of(*row.value);
-  if (const Total* total = closed_form(row)) json.update(json_of(formula_fields(*total)));
+  if (const CurveTotal* total = closed_form(row)) json.update(json_of(formula_fields(*total)));
   if (row.exact) json["exact"] = to_string(*row.exact);
   if (row.total && row.total->exact) json["exact"] = exact_formula(*row.total);
   if (const auto some = closed_forms_of_some(row); !some.empty()) json["closed_forms"] = some;

@@ -28,7 +28,7 @@ Polynomial arc_length(const Curve& curve) {
 }
 
 std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const Rational& b) {
-  if (!odd(real_roots(curve.multiplier(), open(a, b))).empty()) return std::nullopt;
+  if (!odd(real_roots(curve.multiplier(), open_interval(a, b))).empty()) return std::nullopt;
   const Polynomial s = arc_length(curve);
   return Rational(abs(s(b) - s(a)));
 }
@@ -91,8 +91,8 @@ RealAlgebraic ArcLength::algebraic_parameter(const Rational& s) const {
   const Real t = parameter(s);
   if (t.exact()) return *t.exact();
   const RealBall around = t.enclose(64);
-  return real_root(length_ - Polynomial{s}, closed(std::max(around.lower(), Rational(0)),
-                                                   std::min(around.upper(), Rational(1))));
+  return real_root(length_ - Polynomial{s}, closed_interval(std::max(around.lower(), Rational(0)),
+                                                            std::min(around.upper(), Rational(1))));
 }
 
 }  // namespace phrame

@@ -39,7 +39,7 @@ void require_positive(const RationalFunction& speed, const Real& end,
   const Rational beyond = end.exact() ? *end.exact() : end.enclose(64).upper();
   const auto require_no_zero = [&](const Polynomial& p, const char* what) {
     if (p.is_constant()) return;
-    for (const RealRoot& root : real_roots(p, closed(0, beyond)))
+    for (const RealRoot& root : real_roots(p, closed_interval(0, beyond)))
       if (is_up_to(root.at, end)) refuse_speed(what, place_of(root.at));
   };
   require_no_zero(speed.numerator(), "is 0");
@@ -52,7 +52,7 @@ void require_positive(const RationalFunction& speed, const Real& end,
 
 void require_positive_along(const RationalFunction& speed, const Rational& start) {
   require_positive(speed, Rational(1),
-                   [&](const RealAlgebraic& t) { return place("t", affine(t, 1, start)); });
+                   [&](const RealAlgebraic& t) { return place_text("t", affine(t, 1, start)); });
 }
 
 Rational speed_without_curvature(const RationalFunction& speed) {

@@ -158,7 +158,7 @@ PathAngle::State::State(const Path& along, Measure by) : path(along), measure(st
 void PathAngle::State::find_corner_turns() {
   if (path.corners().empty() || is_normal_to_plane()) return;
   for (const std::size_t k : path.corners()) {
-    Real turn = remembered(corner_turn(k - 1, k));
+    Real turn = cached(corner_turn(k - 1, k));
     if (turn.exact() == Rational(0)) continue;
     is_zero = false;
     closed_segments = std::min(closed_segments, k);
@@ -187,7 +187,7 @@ PathAngle::State::State(const State& other, Route route)
       corner_turns(other.corner_turns),
       is_zero(other.is_zero) {
   for (auto& angle : closed_forms)
-    if (angle) angle->take(route);
+    if (angle) angle->set_route(route);
 }
 
 PathAngle::PathAngle(const Path& path) : PathAngle(path, reference_of(path, std::nullopt)) {}
@@ -219,7 +219,7 @@ const RmfAngle* PathAngle::closed_form(std::size_t k) const { return state_->clo
 
 bool PathAngle::is_zero() const { return state_->is_zero; }
 
-void PathAngle::take(Route route) { state_ = std::make_shared<State>(*state_, route); }
+void PathAngle::set_route(Route route) { state_ = std::make_shared<State>(*state_, route); }
 
 /// θ at the start of the segment.
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {

@@ -41,7 +41,7 @@ class PHRAME_API PathAngle {
   bool is_zero() const;
 
   /// The way to the values of closed forms from now on; that of copies stays.
-  void take(Route route);
+  void set_route(Route route);
 
   /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
   /// segments cancel. A PH curve by itself goes on for all t; for t outside [0, end] of another

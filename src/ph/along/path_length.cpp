@@ -136,7 +136,7 @@ std::optional<RealAlgebraic> PathLength::root_near(std::size_t segment, const Re
   if (curve == nullptr) return std::nullopt;
   const RealBall around = t.enclose(72);
   const Interval near =
-      closed(std::max(around.lower(), Rational(0)), std::min(around.upper(), Rational(1)));
+      closed_interval(std::max(around.lower(), Rational(0)), std::min(around.upper(), Rational(1)));
   const Rational m = (*near.lower + *near.upper) / 2;
   const auto to_m = value({segment, m}).exact();
   if (!to_m || !odd(real_roots(curve->multiplier(), near)).empty()) return std::nullopt;

@@ -29,9 +29,9 @@ namespace {
 // ---- The sum.
 
 /// factor · (total/√radicand), the integral without the root.
-KnownIntegral without_root(const Total& total, const Rational& factor) {
+KnownIntegral without_root(const CurveTotal& total, const Rational& factor) {
   const Real value = Real(factor) * (square_root_of(1 / total.radicand) * total.value);
-  KnownIntegral integral{{remembered(value), std::nullopt}};
+  KnownIntegral integral{{cached(value), std::nullopt}};
   if (total.exact) integral.value.exact = factor * *total.exact;
   Rational from = 0;
   Rational sign = factor;
@@ -79,7 +79,7 @@ Real to_real(const Surd& x) {
   return x.is_rational() ? sum : known_irrational(sum);
 }
 
-void add_to(Terms& terms, const Total& total) {
+void add_to(Terms& terms, const CurveTotal& total) {
   if (total.value.exact() == Rational(0)) return;
   const auto [group, quotient] = group_of(terms.groups, total.radicand);
   group.integrals.push_back(without_root(total, quotient));
@@ -131,7 +131,7 @@ PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
 }
 
 PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
-  if (const auto* only = std::get_if<Total>(&segments.front()); only && segments.size() == 1) {
+  if (const auto* only = std::get_if<CurveTotal>(&segments.front()); only && segments.size() == 1) {
     PathTotal total{{}, only->value, std::nullopt};
     if (only->exact) total.exact = {{only->radicand, *only->exact}};
     total.segments = std::move(segments);
@@ -187,8 +187,8 @@ SegmentTotal by_kind(const Segment& segment, const OfPh& of_ph, const OfOther& o
   return visit_curve([&](const auto& curve) { return SegmentTotal(of_other(curve)); }, segment);
 }
 
-SegmentTotal either(std::variant<Total, Infinite> total) {
-  if (auto* finite = std::get_if<Total>(&total)) return *std::move(finite);
+SegmentTotal either(std::variant<CurveTotal, Infinite> total) {
+  if (auto* finite = std::get_if<CurveTotal>(&total)) return *std::move(finite);
   return std::get<Infinite>(total);
 }
 
@@ -223,7 +223,7 @@ Real other_torsion(const RationalCurve& curve) {
     return Real(
         [turning, t](long bits) { return turning.enclose(enclose(t, bits + 16), bits + 8); });
   };
-  for (const RealRoot& root : odd(real_roots(curve.multiplier(), open(0, 1))))
+  for (const RealRoot& root : odd(real_roots(curve.multiplier(), open_interval(0, 1))))
     add_up_to(at(root.at));
   add_up_to(turning.value(1));
   return sum;
@@ -248,8 +248,9 @@ RootQuotient without_common_factor(const RootQuotient& f) {
 /// ∫ of what is not negative, or where it has a pole.
 SegmentTotal energy_of(const RootQuotient& given) {
   const RootQuotient rate = without_common_factor(given);
-  const auto poles = rate.denominator.is_constant() ? std::vector<RealRoot>{}
-                                                    : real_roots(rate.denominator, closed(0, 1));
+  const auto poles = rate.denominator.is_constant()
+                         ? std::vector<RealRoot>{}
+                         : real_roots(rate.denominator, closed_interval(0, 1));
   if (!poles.empty() && !rate.numerator.is_zero()) return Infinite{poles.front().at};
   return AbsoluteIntegral(rate).value(Rational(1));
 }
@@ -335,7 +336,7 @@ std::optional<int> sense_of_turn(const Vector<Polynomial>& d, const Vector<Ratio
   const Polynomial turn =
       normal[0] * minor(y, z) + normal[1] * minor(z, x) + normal[2] * minor(x, y);
   if (turn.is_zero()) return 0;
-  if (!odd(real_roots(turn, open(0, 1))).empty()) return std::nullopt;
+  if (!odd(real_roots(turn, open_interval(0, 1))).empty()) return std::nullopt;
   return sign_after_zero(turn);
 }
 
@@ -379,7 +380,7 @@ Rational squared_cosine_of_ends(const Path& path) {
 }  // namespace
 
 Real value_of(const PathTotal::OfSegment& segment) {
-  if (const auto* total = std::get_if<Total>(&segment)) return total->value;
+  if (const auto* total = std::get_if<CurveTotal>(&segment)) return total->value;
   if (const auto* sum = std::get_if<Surd>(&segment)) return to_real(*sum);
   return std::get<Real>(segment);
 }

@@ -17,7 +17,7 @@ struct PathTotal {
   };
   /// Of a PH curve in closed form, where it has one; of others a sum of square roots, where it is
   /// seen to be one; else certain to any number of digits.
-  using OfSegment = std::variant<Total, Surd, Real>;
+  using OfSegment = std::variant<CurveTotal, Surd, Real>;
   std::vector<OfSegment> segments;  ///< what each adds, without corners
   /// Exact where it is seen to be rational, also where what is irrational of different segments
   /// cancels.

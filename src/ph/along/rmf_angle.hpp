@@ -62,7 +62,7 @@ class PHRAME_API RmfAngle {
   /// other cases; where it is not recognised, to round it throws Undecided.
   Real value(const Rational& t, const FrameAngle& start = {}) const;
   /// The way to values from now on; that of copies stays.
-  void take(Route route) { evaluator_.take(route); }
+  void set_route(Route route) { evaluator_.set_route(route); }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits) const;
   /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a

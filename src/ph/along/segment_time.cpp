@@ -61,7 +61,7 @@ Formula polynomial_formula(const Polynomial& p) {
 ExpressionCurve by_formulas(const ExpressionCurve& curve) { return curve; }
 
 ExpressionCurve by_formulas(const RationalCurve& curve) {
-  if (const auto cusps = real_roots(curve.multiplier(), closed(0, 1)); !cusps.empty())
+  if (const auto cusps = real_roots(curve.multiplier(), closed_interval(0, 1)); !cusps.empty())
     throw DomainError("feedrate: the curve has a cusp, where its curvature is undefined");
   const Formula below = polynomial_formula(curve.weight());
   const Vector<Polynomial>& X = curve.numerator();

@@ -26,10 +26,10 @@ bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orienta
 
 /// √radicand · ∫₀¹ ±rate dt for the rate F′, + at first, the sign changing where that of the
 /// orientation does.
-Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& orientation,
-            const Rational& radicand = 1) {
-  Total result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
-  for (const RealRoot& root : odd(real_roots(orientation, open(0, 1))))
+CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomial& orientation,
+                 const Rational& radicand = 1) {
+  CurveTotal result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
+  for (const RealRoot& root : odd(real_roots(orientation, open_interval(0, 1))))
     result.sign_changes.push_back(root.at);
 
   if (is_odd_about_middle(rate, orientation)) return result;  // 0
@@ -53,7 +53,8 @@ Total total(const RationalFunction& rate, Antiderivative F, const Polynomial& or
 }
 
 /// √radicand · ∫₀¹ sgn(orientation)·rate dt.
-Total total(RationalFunction rate, const Polynomial& orientation, const Rational& radicand = 1) {
+CurveTotal total(RationalFunction rate, const Polynomial& orientation,
+                 const Rational& radicand = 1) {
   if (sign_after_zero(orientation) < 0) rate = -rate;
   return total(rate, integrate(rate), orientation, radicand);
 }
@@ -88,21 +89,23 @@ Antiderivative integrate_turning(const RationalFunction& twist, const GaussianPo
 
 /// Why a rate that is not negative has an infinite integral.
 std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
-  const auto poles = real_roots(rate.denominator(), closed(0, 1));
+  const auto poles = real_roots(rate.denominator(), closed_interval(0, 1));
   if (poles.empty()) return std::nullopt;
   return Infinite{poles.front().at};
 }
 
 }  // namespace
 
-Total total_length(const Curve& curve) {
+CurveTotal total_length(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
   return total(RationalFunction(speed), curve.multiplier());
 }
 
-Total erf_twist(const Curve& curve) { return total(-rate_to_erf(curve.preimage()), Polynomial{1}); }
+CurveTotal erf_twist(const Curve& curve) {
+  return total(-rate_to_erf(curve.preimage()), Polynomial{1});
+}
 
-std::variant<Total, Infinite> bending_energy(const Curve& curve) {
+std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const RationalFunction rate(rho(a), curve.multiplier() * pow(sigma(a), 3));
   if (const auto infinite = pole_on_path(rate)) return *infinite;
@@ -113,7 +116,7 @@ std::variant<Total, Infinite> bending_energy(const Curve& curve) {
 //   b² = ½ Re(g′/g)′ − ½ Re(g″/g) + |g′|²/(2N),  Re(g′/g) = N′/(2N),
 // so that b²/(fσ) is (N′/(4N·fσ))′ plus what has N in the denominator only once: the rational part
 // of the integral is known as far as N is in it.
-std::variant<Total, Infinite> frenet_energy(const Curve& curve) {
+std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
   RationalFunction rate = squared_frenet_rate(curve) * RationalFunction(speed);
   if (const auto infinite = pole_on_path(rate)) return *infinite;
@@ -126,7 +129,7 @@ std::variant<Total, Infinite> frenet_energy(const Curve& curve) {
   return total(rate, integrate_beside(known, rate), curve.multiplier());
 }
 
-Total total_torsion(const Curve& curve) {
+CurveTotal total_torsion(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   RationalFunction twist = rate_to_erf(a);
   GaussianPolynomial bend = regular_bend(a);
@@ -138,7 +141,7 @@ Total total_torsion(const Curve& curve) {
   return total(rate, integrate_turning(twist, bend, rate), curve.multiplier());
 }
 
-std::optional<Total> total_curvature(const Curve& curve) {
+std::optional<CurveTotal> total_curvature(const Curve& curve) {
   const auto square = double_ph(curve.preimage());
   if (!square) return std::nullopt;
   const RationalFunction rate(square->omega, sigma(curve.preimage()));

@@ -10,7 +10,7 @@ namespace phrame {
 /// What a curve gathers on the segment [0, 1], in closed form:
 ///   √radicand · ∫₀¹ ±rate dt = √radicand · Σ ±(F(b) − F(a))
 /// over the parts [a, b] between the sign changes. On the first part the sign is +.
-struct Total {
+struct CurveTotal {
   Rational radicand;                        ///< > 0
   RationalFunction rate;                    ///< without a pole on [0, 1]
   Antiderivative antiderivative;            ///< F, of the rate
@@ -27,20 +27,20 @@ struct Infinite {
 };
 
 /// ∫ ds = ∫|f|σ dt.
-PHRAME_API Total total_length(const Curve& curve);
+PHRAME_API CurveTotal total_length(const Curve& curve);
 /// ∫₀¹ 2h/σ dt: how far the Euler–Rodrigues frame turns about e₁, in radians. −θ_ERF(1).
-PHRAME_API Total erf_twist(const Curve& curve);
+PHRAME_API CurveTotal erf_twist(const Curve& curve);
 /// ∫ κ² ds = ∫ ρ/(|f|σ³) dt, infinite at most cusps.
-PHRAME_API std::variant<Total, Infinite> bending_energy(const Curve& curve);
+PHRAME_API std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve);
 /// ∫ (κ² + τ²) ds, infinite at most cusps; at inflections τ is finite, since g = c·g₀ with a real c
 /// makes Im(g′/g) = Im(g₀′/g₀). Throws DomainError for a straight line.
-PHRAME_API std::variant<Total, Infinite> frenet_energy(const Curve& curve);
+PHRAME_API std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve);
 /// ∫ τ ds = ±∫ (2h/σ − Im(g′/g)) dt, the sign that of f, in radians; the half turns of n and b at
 /// inflections are not in it. ∓θ_Frenet(1) where f does not change sign. Throws DomainError for a
 /// straight line.
-PHRAME_API Total total_torsion(const Curve& curve);
+PHRAME_API CurveTotal total_torsion(const Curve& curve);
 /// ∫ κ ds = ∫ √ρ/σ dt for ρ = cω²: how far the tangent turns, in radians, without the half turns at
 /// cusps. No value where ρ is no square (double_ph).
-PHRAME_API std::optional<Total> total_curvature(const Curve& curve);
+PHRAME_API std::optional<CurveTotal> total_curvature(const Curve& curve);
 
 }  // namespace phrame

@@ -41,13 +41,14 @@ KnownIntegral known(const Rational& x) { return {{x, exact_value(x)}}; }
 std::string place_of_length(const PathLength& length, std::size_t count, const RealAlgebraic& s) {
   std::size_t at = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    if (!length.closed_form(k)) return place("s", s);
+    if (!length.closed_form(k)) return place_text("s", s);
     if (compare(s, *length.before(k).exact()) >= 0) at = k;
   }
   const Polynomial along =
       length.closed_form(at)->polynomial() + Polynomial{*length.before(at).exact()};
-  const RealAlgebraic t = real_roots(compose(s.polynomial(), along), closed(0, 1)).front().at;
-  return place("t", affine(t, 1, Rational(static_cast<long>(at))));
+  const RealAlgebraic t =
+      real_roots(compose(s.polynomial(), along), closed_interval(0, 1)).front().at;
+  return place_text("t", affine(t, 1, Rational(static_cast<long>(at))));
 }
 
 /// With the last component that is not 0 positive.
@@ -155,11 +156,11 @@ void TravelTime::State::add_starts() {
   std::vector<KnownIntegral> since_rational;
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     if (segments.empty() || !are_closed) {
-      starts.push_back(remembered(time({k, Rational(1)})));
+      starts.push_back(cached(time({k, Rational(1)})));
       continue;
     }
     since_rational.push_back(integral(k, 1));
-    starts.push_back(remembered(sum_of_integrals(since_rational).value));
+    starts.push_back(cached(sum_of_integrals(since_rational).value));
     if (const auto exact = starts.back().exact()) since_rational = std::vector{known(*exact)};
   }
 }
@@ -169,7 +170,7 @@ KnownIntegral TravelTime::State::integral(std::size_t k, const Rational& t) cons
   const Real value = segments[k].value(t);
   if (value.exact()) return known(*value.exact());
   const auto& closed = *segments[k].closed_form();
-  return {{remembered(value), std::nullopt}, {{closed.rate, closed.antiderivative, 0, t}}};
+  return {{cached(value), std::nullopt}, {{closed.rate, closed.antiderivative, 0, t}}};
 }
 
 Real TravelTime::State::time(const Place& at) const {
@@ -270,8 +271,8 @@ TravelTime::Point TravelTime::at_time(const Rational& time) {
   last_ = approximate(around);
   if (const auto p = state_->equation(k, time)) {
     if (const auto exact = rational_root(*p, 0, 1, t)) return point_at({k, *exact});
-    return point_at({k, real_root(*p, closed(std::max(around.lower(), Rational(0)),
-                                             std::min(around.upper(), Rational(1))))});
+    return point_at({k, real_root(*p, closed_interval(std::max(around.lower(), Rational(0)),
+                                                      std::min(around.upper(), Rational(1))))});
   }
   return point_at({k, recognized(t, [&](const Rational& r) {
                      return this->time({k, r}).exact() == time;

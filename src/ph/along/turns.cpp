@@ -57,7 +57,7 @@ void add_turns(Turns& turns, Plotted quantity, const Polynomial& slope, const Fu
   const Polynomial f = squarefree_part(slope);
   const long precision = 2 * place_bits + 4 * f.degree();
   const BallPolynomial near_f(f, precision);
-  for (const Interval& isolating : isolate_real_roots(f, closed(0, 1))) {
+  for (const Interval& isolating : isolate_real_roots(f, closed_interval(0, 1))) {
     const Rational at = place_of(f, near_f, precision, isolating);
     // Next to a cusp balls may not keep the denominator from 0.
     const RealBall value = evaluate(of, RealBall(at, 2 * place_bits), 2 * place_bits);
@@ -68,7 +68,7 @@ void add_turns(Turns& turns, Plotted quantity, const Polynomial& slope, const Fu
 
 /// The same of a rational quantity, or one with a rational square.
 void add_turns(Turns& turns, Plotted quantity, const RationalFunction& of) {
-  if (count_real_roots(of.denominator(), closed(0, 1)) > 0) add_pole(turns, quantity);
+  if (count_real_roots(of.denominator(), closed_interval(0, 1)) > 0) add_pole(turns, quantity);
   add_turns(turns, quantity, differentiate(of).numerator(), of);
 }
 

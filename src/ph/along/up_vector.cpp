@@ -107,9 +107,9 @@ bool is_apart(const Path& path, const Vector<Rational>& v) {
 
 std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v) {
   const Polynomial common = gcd(cross(as_polynomials(v), curve.direction()));
-  if (common.is_zero()) return TangentPlace{closed(0, 0), true};
+  if (common.is_zero()) return TangentPlace{closed_interval(0, 0), true};
   if (common.is_constant()) return std::nullopt;
-  const auto zeros = located_real_roots(common, closed(0, 1));
+  const auto zeros = located_real_roots(common, closed_interval(0, 1));
   if (zeros.empty()) return std::nullopt;
   return TangentPlace{zeros.front(), true};
 }
@@ -120,7 +120,8 @@ std::optional<TangentPlace> tangent_along(const ExpressionCurve& curve, const Ve
   const Vector<Formula> up{Formula(v[0]), Formula(v[1]), Formula(v[2])};
   const auto zero = simple_zero(curve, widened_part(*fault), cross(up, curve.derivative(1)));
   const auto t = zero ? rational_parameter(curve, *zero) : std::nullopt;
-  return TangentPlace{t ? closed(*t, *t) : closed(fault->lower, fault->upper), zero.has_value()};
+  return TangentPlace{t ? closed_interval(*t, *t) : closed_interval(fault->lower, fault->upper),
+                      zero.has_value()};
 }
 
 std::optional<TangentPlace> tangent_along(const Segment& segment, const Vector<Rational>& v) {

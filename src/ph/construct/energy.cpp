@@ -123,7 +123,7 @@ std::optional<RealBall> proved_energy(const Curve& curve) {
   }
   const auto exact = bending_energy(curve);
   if (std::holds_alternative<Infinite>(exact)) return std::nullopt;
-  return std::get<Total>(exact).value.enclose(1024);
+  return std::get<CurveTotal>(exact).value.enclose(1024);
 }
 
 }  // namespace phrame

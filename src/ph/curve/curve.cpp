@@ -46,7 +46,7 @@ Polynomial hodograph_content(const Curve& curve) { return gcd(hodograph(curve));
 Signs multiplier_signs(const Curve& curve) {
   const Polynomial& f = curve.multiplier();
   std::vector<Rational> samples{0};
-  for (const Interval& root : isolate_real_roots(f, closed(0, 1)))
+  for (const Interval& root : isolate_real_roots(f, closed_interval(0, 1)))
     for (const Rational& end : {*root.lower, *root.upper}) {
       samples.push_back((samples.back() + end) / 2);
       samples.push_back(end);

@@ -64,7 +64,7 @@ Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBal
 /// Where a polynomial that is not 0 changes its sign in (0, 1).
 std::vector<RealAlgebraic> sign_changes(const Polynomial& p) {
   std::vector<RealAlgebraic> places;
-  for (const RealRoot& root : odd(real_roots(p, open(0, 1)))) places.push_back(root.at);
+  for (const RealRoot& root : odd(real_roots(p, open_interval(0, 1)))) places.push_back(root.at);
   return places;
 }
 

@@ -17,7 +17,7 @@ Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
 }
 
 void refuse_zeros(const Polynomial& weight) {
-  const std::vector<Interval> zeros = located_real_roots(weight, closed(0, 1));
+  const std::vector<Interval> zeros = located_real_roots(weight, closed_interval(0, 1));
   if (zeros.empty()) return;
   const Interval& first = zeros.front();
   throw DomainError(

@@ -89,7 +89,7 @@ void require_no_pole(const RationalFunction& f, const Interval& way, char name,
                      const std::string& variable) {
   if (f.denominator().is_constant() || count_real_roots(f.denominator(), way) == 0) return;
   const RealAlgebraic first = real_roots(f.denominator(), way).front().at;
-  throw DomainError(fmt::format("{} has a pole at {}", name, place(variable, first)));
+  throw DomainError(fmt::format("{} has a pole at {}", name, place_text(variable, first)));
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ std::optional<RationalCurve> rational_form(const Vector<Formula>& position, cons
   for (std::size_t k = 0; k < 3; ++k) {
     const auto f = rational_function(position[k]);
     if (!f) return std::nullopt;
-    require_no_pole(*f, closed(std::min(*a, *b), std::max(*a, *b)), "xyz"[k], variable);
+    require_no_pole(*f, closed_interval(std::min(*a, *b), std::max(*a, *b)), "xyz"[k], variable);
     r[k] = compose(*f, Polynomial{*a, *b - *a});
     const Polynomial& below = r[k].denominator();
     weight *= exact_quotient(below, gcd(below, weight));

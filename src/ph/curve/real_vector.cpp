@@ -57,7 +57,7 @@ Real sum_of(const std::vector<Real>& terms) {
   }
   if (others.empty()) return exact;
   const auto guard = 8 + static_cast<long>(std::bit_width(others.size()));
-  return remembered(Real([exact, others, guard](long bits) {
+  return cached(Real([exact, others, guard](long bits) {
     const long more = bits + guard;
     RealBall sum(exact, more);
     for (const Real& x : others) sum = add(sum, x.enclose(more), more);

@@ -15,7 +15,7 @@ std::vector<RealRoot> cusps(const Segment& segment) {
   if (const Curve* curve = ph_curve(segment)) return cusps(*curve);
   const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr || curve->multiplier().is_constant()) return {};
-  return real_roots(curve->multiplier(), closed(0, 1));
+  return real_roots(curve->multiplier(), closed_interval(0, 1));
 }
 
 std::vector<RealRoot> inflections(const QuaternionPolynomial& a, const Interval& interval) {

@@ -7,7 +7,8 @@ namespace phrame {
 
 /// Where r′ = 0: the real roots of f and of gcd(u, v, p, q) in the interval, with their order in
 /// |r′| = |f|·σ. None on a regular curve.
-PHRAME_API std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval = closed(0, 1));
+PHRAME_API std::vector<RealRoot> cusps(const Curve& curve,
+                                       const Interval& interval = closed_interval(0, 1));
 
 /// The same on a segment of any kind: where p = 0 along a RationalCurve; formulas have none.
 PHRAME_API std::vector<RealRoot> cusps(const Segment& segment);
@@ -15,7 +16,7 @@ PHRAME_API std::vector<RealRoot> cusps(const Segment& segment);
 /// Where the tangent stands still: the real zeros of g in the interval, those apart that only a
 /// real factor of A brings. (n, b) flip at those of odd order. None for a straight line.
 PHRAME_API std::vector<RealRoot> inflections(const QuaternionPolynomial& a,
-                                             const Interval& interval = closed(0, 1));
+                                             const Interval& interval = closed_interval(0, 1));
 
 /// Those of odd order, where what vanishes changes its sign.
 PHRAME_API std::vector<RealRoot> odd(const std::vector<RealRoot>& points);

@@ -11,12 +11,12 @@ ErfTurning erf_turning(const Curve& curve) {
   ErfTurning turning{{}, {}, true};
   const Polynomial h = twist_numerator(a);
   if (h.is_zero()) return turning;
-  turning.zeros = real_roots(rate_to_erf(a).numerator(), closed(0, 1));
+  turning.zeros = real_roots(rate_to_erf(a).numerator(), closed_interval(0, 1));
   turning.is_monotone = odd_inside(turning.zeros).empty();
   const RationalFunction slope =
       differentiate(RationalFunction(h, curve.multiplier() * pow(sigma(a), 2)));
   if (slope.is_zero()) return turning;
-  turning.extrema = odd(real_roots(slope.numerator(), closed(0, 1)));
+  turning.extrema = odd(real_roots(slope.numerator(), closed_interval(0, 1)));
   return turning;
 }
 

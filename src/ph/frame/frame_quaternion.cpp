@@ -45,7 +45,7 @@ Quaternion<Real> quaternion_of(const Frame<Real>& frame) {
       greatest = ball.lower();
       pivot = k;
     }
-  const Real square = remembered(Real(Rational(4)) * products[pivot][pivot]);  // (4·Q_pivot)²
+  const Real square = cached(Real(Rational(4)) * products[pivot][pivot]);  // (4·Q_pivot)²
   const auto component = [&](std::size_t k) {
     return over_square_root(products[pivot][k], square);
   };

@@ -17,8 +17,8 @@ Vector<Real> over_size(const Vector<Real>& v, const Real& squared_size) {
 
 /// H/|H| and, for an n normal to it, n/|n| and H × n/|H × n|.
 Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
-  const Real sigma = remembered(dot(H, H));
-  const Real size = remembered(dot(n, n));
+  const Real sigma = cached(dot(H, H));
+  const Real size = cached(dot(n, n));
   return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
 }
 
@@ -63,7 +63,7 @@ Frame<Real> algebraic_frenet_frame(const QuaternionPolynomial& a, const Gaussian
   require_bend(g);
   const Polynomial size = norm(g);
   if (sign_at(size, t.number()) == 0)
-    throw DomainError("Frenet frame: " + place("t", t.number()) +
+    throw DomainError("Frenet frame: " + place_text("t", t.number()) +
                       " is an inflection, the principal normal is undefined");
   const Polynomial length = sigma(a);
   const Vector<Polynomial> j = rotated_j(a);
@@ -96,7 +96,7 @@ Vector<Real> tangent(const Path& path, const Place& at) {
   const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
   if (ph == nullptr) {
     const Vector<Real> H = direction(path, at);
-    return over_size(H, remembered(dot(H, H)));
+    return over_size(H, cached(dot(H, H)));
   }
   const QuaternionPolynomial& a = ph->primitive_preimage();
   if (at.t.exact()) return as_reals(euler_rodrigues_frame(a, *at.t.exact()).e1);

@@ -150,7 +150,7 @@ std::vector<OffsetCusp> cusps(const Offset& offset) {
     const bool turns_back = is_joined && last_sign(last) != first_sign(piece);
     if (turns_back || p(0) == 0 || (is_joined && last.curve.multiplier()(1) == 0))
       found.push_back({k, Rational(0), turns_back});
-    for (const RealRoot& root : real_roots(p, open(0, 1)))
+    for (const RealRoot& root : real_roots(p, open_interval(0, 1)))
       found.push_back({k, root.at, root.order % 2 != 0});
     if (!offset.meets[k] && p(1) == 0) found.push_back({k, Rational(1), false});
   }

@@ -77,7 +77,7 @@ class LengthSum {
       stretch_.push_back(known_integral(speed, F, from, to, sign_));
       from = to;
     };
-    for (const RealRoot& root : odd(real_roots(curve.multiplier(), open(0, 1)))) {
+    for (const RealRoot& root : odd(real_roots(curve.multiplier(), open_interval(0, 1)))) {
       add(root.at);
       end(k, root.at);
       sign_ = -sign_;

@@ -38,7 +38,7 @@ bool contains(const std::vector<PointPair>& pairs, const PointPair& pair) {
 }
 
 Interval interval_of(const CurvePart& part) {
-  return closed(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
+  return closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
 }
 
 /// Where in that part it goes through the point.

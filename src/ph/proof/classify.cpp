@@ -12,7 +12,7 @@
 namespace phrame {
 namespace {
 
-const Interval unit_interval = closed(0, 1);
+const Interval unit_interval = closed_interval(0, 1);
 
 void check(bool holds, std::string_view what) {
   if (!holds) throw Error(fmt::format("classify: the check failed, {}", what));

@@ -81,7 +81,7 @@ std::optional<GaussianRational> exact_end(const FrameAngle& angle) {
 }
 
 void require_no_zero(const QuaternionPolynomial& preimage) {
-  if (count_real_roots(norm(preimage), closed(0, 1)) > 0)
+  if (count_real_roots(norm(preimage), closed_interval(0, 1)) > 0)
     throw Undecided("sweep: the rational frame of minimal twist is not told from one with a jump");
 }
 

@@ -236,7 +236,7 @@ void require_joined(const RationalSurface& surface) {
 void require_no_stop(const PhPath& path) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const Curve& curve = path.segments()[k];
-    if (count_real_roots(hodograph_content(curve), closed(0, 1)) > 0)
+    if (count_real_roots(hodograph_content(curve), closed_interval(0, 1)) > 0)
       throw DomainError(path.is_curve()
                             ? "sweep: the curve has a cusp or stops on the way"
                             : fmt::format("sweep: segment {} has a cusp or stops on the way", k));

@@ -37,8 +37,9 @@ void SweepScale::require_along(std::size_t segments) const {
                                   segments + 1, segments));
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const RationalFunction& f = pieces_[k];
-    const Interval part = is_whole_ ? closed(0, static_cast<long>(segments))
-                                    : closed(static_cast<long>(k), static_cast<long>(k + 1));
+    const Interval part = is_whole_
+                              ? closed_interval(0, static_cast<long>(segments))
+                              : closed_interval(static_cast<long>(k), static_cast<long>(k + 1));
     const bool has_pole = count_real_roots(f.denominator(), part) > 0;
     if (has_pole || f.numerator().is_zero() || count_real_roots(f.numerator(), part) > 0 ||
         f(*part.lower) < 0)

@@ -13,7 +13,7 @@ RealBall greatest_angle(const RationalFunction& rate, long bits) {
   // At the end, or where e′ = 0. Between the middle of an interval around a zero of e′ and the zero
   // |e| changes by less than the greatest |e′| there times the width.
   RealBall most = absolute(quadrature(rate, 0, 1, bits + 8));
-  for (const Interval& found : isolate_real_roots(rate.numerator(), open(0, 1))) {
+  for (const Interval& found : isolate_real_roots(rate.numerator(), open_interval(0, 1))) {
     const Interval zero = narrowed(rate.numerator(), found, power_of_two(-bits));
     const Rational middle = (*zero.lower + *zero.upper) / 2;
     const RealBall around = hull(*zero.lower, *zero.upper, 2 * bits);

@@ -27,7 +27,7 @@ struct SignedPart {
 std::vector<SignedPart> signed_parts(const Polynomial& p, long bits) {
   std::vector<RealAlgebraic> ends{Rational(0)};
   if (p.degree() > 0)
-    for (const RealRoot& root : odd(real_roots(p, open(0, 1)))) ends.push_back(root.at);
+    for (const RealRoot& root : odd(real_roots(p, open_interval(0, 1)))) ends.push_back(root.at);
   ends.emplace_back(Rational(1));
   std::vector<SignedPart> parts;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
@@ -69,7 +69,7 @@ struct TorsionCurvature {
     if (triple.is_zero()) throw DomainError("the weight |τκ| is 0 everywhere: the curve is plane");
     const auto found = cusps(curve);
     if (!found.empty())
-      throw DomainError("the weight |τκ| is infinite at " + place("t", found.front().at) +
+      throw DomainError("the weight |τκ| is infinite at " + place_text("t", found.front().at) +
                         ": a cusp");
     const Polynomial content = phrame::gcd(g.re, g.im);
     numerator = exact_quotient(triple, content);

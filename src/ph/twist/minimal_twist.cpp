@@ -49,12 +49,12 @@ MinimalTwist::MinimalTwist(const PathAngle& rmf, StartAngle from, StartAngle to,
       twist_(Rational(0)) {
   if (rmf.reference() == Reference::frenet)
     throw DomainError("minimal twist: it is not found from the angle to the Frenet frame");
-  own_twist_ = remembered(-rmf.value(end_of(path())));
+  own_twist_ = cached(-rmf.value(end_of(path())));
   StartAngle between = to_.value + -from_.value;
   if (from_.exact && to_.exact) between = difference(*to_.exact, *from_.exact);
   const Integer given_turns = between.exact ? whole_turns_in(between) : 0;
   between = turned_on(between, -given_turns);
-  const ReducedAngle least = least_turn(rmf, remembered(own_twist_ + between.value), between);
+  const ReducedAngle least = least_turn(rmf, cached(own_twist_ + between.value), between);
   half_turn_within_ = least.half_turn_within;
   const Integer turns = given_turns + least.turns;
   nominal_ = turns == 0 ? least.angle : least.angle + whole_turn(turns);
@@ -104,7 +104,7 @@ MinimalTwist minimal_twist(const PathAngle& rmf, const FrameStart& from,
 }
 
 Frame<Real> minimal_twist_frame(const MinimalTwist& twist, const Place& at) {
-  return turned(reference_frame(twist.rmf(), at), remembered(twist.reduced_value(at)));
+  return turned(reference_frame(twist.rmf(), at), cached(twist.reduced_value(at)));
 }
 
 }  // namespace phrame

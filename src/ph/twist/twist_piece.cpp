@@ -27,16 +27,16 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
   const Rational length = arc_length(1);
   const Rational from = Rational(static_cast<long>(index)) + a;
   const Rational to = Rational(static_cast<long>(index)) + b;
-  const Real start = remembered(mtf.rmf().value(Place(index, a)));
+  const Real start = cached(mtf.rmf().value(Place(index, a)));
   const Real twist = mtf.twist() * quotient_of(length, mtf.length());
   const bool is_whole = mtf.path().segments().size() == 1 && is_segment;
   const Real whole_twist =
-      is_whole ? mtf.own_twist() : remembered(start + -mtf.rmf().value(Place(index, b)));
+      is_whole ? mtf.own_twist() : cached(start + -mtf.rmf().value(Place(index, b)));
   const auto erf_twist = [rmf = mtf.rmf(), start, whole_twist, index, a, b](const Rational& tau) {
     if (tau == 1) return whole_twist;
     return start + -rmf.value(Place(index, a + (b - a) * tau));
   };
-  const Real turn = remembered(twist + -whole_twist);
+  const Real turn = cached(twist + -whole_twist);
   std::optional<Integer> whole_turns;
   if (turn.exact() == Rational(0)) whole_turns = 0;
   return {from,
@@ -55,7 +55,7 @@ TwistPiece piece_between(const MinimalTwist& mtf, std::size_t index, const Ratio
 void require_no_cusp(const Curve& curve, const std::string& where) {
   const auto found = cusps(curve);
   if (!found.empty())
-    throw DomainError("the curve has a cusp" + where + " at " + place("t", found.front().at) +
+    throw DomainError("the curve has a cusp" + where + " at " + place_text("t", found.front().at) +
                       ", where a frame that turns with the parameter turns at an infinite rate");
 }
 
@@ -108,7 +108,7 @@ TwistPiece untwisted_piece(const Curve& curve) {
   const Polynomial arc_length = ArcLength(curve).polynomial();
   const Rational length = arc_length(1);
   const RmfAngle rmf(curve);
-  const Real turn = remembered(rmf.value(1));
+  const Real turn = cached(rmf.value(1));
   std::optional<Integer> whole_turns;
   if (turn.exact() == Rational(0)) whole_turns = 0;
   const auto erf_twist = [rmf, turn](const Rational& tau) {

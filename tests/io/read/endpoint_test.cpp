@@ -43,7 +43,7 @@ TEST_CASE("endpoints: infinity has two signs and several names") {
 
 TEST_CASE("endpoints: a root is the one root of its polynomial between two ends") {
   const auto root = std::get<RealAlgebraic>(parse_endpoint(" root ( (t^2-2)^3*(t-7) , 1, 4/2 ) "));
-  CHECK(root == real_root({-2, 0, 1}, closed(1, 2)));
+  CHECK(root == real_root({-2, 0, 1}, closed_interval(1, 2)));
   CHECK(std::get<RealAlgebraic>(parse_endpoint("root(x^3 - 2, -inf, ∞)")).polynomial() ==
         Polynomial{-2, 0, 0, 1});
   CHECK(rational("root(3*x - 1, 0, 1)") == Rational(1, 3));
@@ -83,11 +83,11 @@ TEST_CASE("endpoints: square roots are algebraic numbers") {
   const auto algebraic = [](std::string_view text) {
     return std::get<RealAlgebraic>(parse_endpoint(text));
   };
-  CHECK(algebraic("sqrt(2)") == real_root({-2, 0, 1}, closed(1, 2)));
-  CHECK(algebraic("-√2") == real_root({-2, 0, 1}, closed(-2, -1)));
-  CHECK(algebraic("(1+sqrt(5))/2") == real_root({-1, -1, 1}, closed(1, 2)));
-  CHECK(algebraic("1/(sqrt(3) - 1)") == real_root({-1, -2, 2}, closed(1, 2)));
-  CHECK(algebraic("sqrt( 1/2 )*√(1/2)*√(1/2)") == real_root({-1, 0, 8}, closed(0, 1)));
+  CHECK(algebraic("sqrt(2)") == real_root({-2, 0, 1}, closed_interval(1, 2)));
+  CHECK(algebraic("-√2") == real_root({-2, 0, 1}, closed_interval(-2, -1)));
+  CHECK(algebraic("(1+sqrt(5))/2") == real_root({-1, -1, 1}, closed_interval(1, 2)));
+  CHECK(algebraic("1/(sqrt(3) - 1)") == real_root({-1, -2, 2}, closed_interval(1, 2)));
+  CHECK(algebraic("sqrt( 1/2 )*√(1/2)*√(1/2)") == real_root({-1, 0, 8}, closed_interval(0, 1)));
   CHECK(rational("sqrt(9/4) + 1") == Rational(5, 2));
   CHECK(rational("sqrt(2)^2") == 2);
   CHECK(refusal("sqrt(-1)") == "column 1: the square root of a negative number is not real");

@@ -162,7 +162,7 @@ TEST_CASE("integral report: JSON lists the roots where a number has several") {
 TEST_CASE("integral report: JSON has ends that are infinite or algebraic") {
   IntegralAnswer some = with_value();
   some.definite->from = Infinity::negative;
-  some.definite->to = real_root({-2, 0, 1}, closed(1, 2));
+  some.definite->to = real_root({-2, 0, 1}, closed_interval(1, 2));
   some.definite->exact.reset();
   const Json definite = Json::parse(to_json(some))["definite"];
   CHECK(definite["from"] == "-inf");
@@ -192,7 +192,7 @@ TEST_CASE("integral report: an irrational multiple of π, in radicals or as a ro
   shown_as(real_root({-1, 0, 8}, negative), "    = −√2/4·π\n", "-sqrt(2)/4*pi");
   shown_as(real_root({-1, -2, 4}, positive), "    = (1 + √5)/4·π\n", "(1 + sqrt(5))/4*pi");
   shown_as(real_root({-2, 0, 0, 1}, positive), "    = ∛2·π\n", "2^(1/3)*pi");
-  const RealAlgebraic casus = real_root({1, -3, 0, 1}, closed(0, 1));
+  const RealAlgebraic casus = real_root({1, -3, 0, 1}, closed_interval(0, 1));
   shown_as(casus, "    = π·(the root of x³ − 3x + 1 in (0, 1))\n", "root(x^3 - 3*x + 1, 0, 1)*pi");
   CHECK(contains(to_latex(with_multiple(real_root({-1, 0, 8}, positive))),
                  "\\frac{\\sqrt{2}}{4} \\pi"));

@@ -73,7 +73,8 @@ TEST_CASE("text: a decimal stands beside a fraction of more than 20 digits") {
 }
 
 TEST_CASE("text: irrational numbers of either sign are cut off") {
-  const auto roots = real_roots(Polynomial{-5, 0, 1}, closed(-3, 3));  // 2.2360679774997896…
+  const auto roots =
+      real_roots(Polynomial{-5, 0, 1}, closed_interval(-3, 3));  // 2.2360679774997896…
   REQUIRE(roots.size() == 2);
   CHECK(shown(roots[0].at) == "−2.23606797749…");
   CHECK(shown(roots[1].at) == "2.23606797749…");

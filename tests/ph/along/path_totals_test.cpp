@@ -66,9 +66,9 @@ TEST_CASE("path totals: pieces of a curve have the totals of the whole") {
     check_equal(erf_twist(cut(curve, at)), erf_twist(curve).value);
     check_equal(total_torsion(pieces), total_torsion(curve).value);
     const auto energy = bending_energy(curve);
-    check_equal(finite(bending_energy(pieces)), std::get<Total>(energy).value);
+    check_equal(finite(bending_energy(pieces)), std::get<CurveTotal>(energy).value);
     const auto frenet = frenet_energy(curve);
-    check_equal(finite(frenet_energy(pieces)), std::get<Total>(frenet).value);
+    check_equal(finite(frenet_energy(pieces)), std::get<CurveTotal>(frenet).value);
     if (const auto curvature = total_curvature(curve))
       check_equal(total_curvature(pieces), curvature->value);
   };
@@ -96,7 +96,7 @@ TEST_CASE("path totals: the index of a path that turns one way is exact in any p
   const QuaternionPolynomial turn{{1, -1}, {0, 1}, {}, {0, -1}};
   const Curve curve(turn * turn * turn * QuaternionPolynomial{{1}, {}, {}, {1}});
   const Path pieces(cut(curve, {Rational(1, 3), Rational(3, 4)}));
-  CHECK(std::get<Total>(total_curvature(pieces).segments[0]).radicand == 2);
+  CHECK(std::get<CurveTotal>(total_curvature(pieces).segments[0]).radicand == 2);
   CHECK_FALSE(absolute_rotation_index(Path(pieces.segments()[0])).value().exact());
   CHECK(absolute_rotation_index(pieces).value().exact() == Rational(3, 2));
   // With a straight line between, which turns neither way.
@@ -130,8 +130,8 @@ TEST_CASE("path totals: the index of a path that turns back is that of its parts
 TEST_CASE("path totals: the roots before the integrals of different segments may differ") {
   const Curve flat({{1, -1}, {}, {}, {1, 1}});
   const PathTotal total = total_curvature(Path(chain({oblique, flat})));
-  CHECK(std::get<Total>(total.segments[0]).radicand == 2);
-  CHECK(std::get<Total>(total.segments[1]).radicand == 1);
+  CHECK(std::get<CurveTotal>(total.segments[0]).radicand == 2);
+  CHECK(std::get<CurveTotal>(total.segments[1]).radicand == 1);
   CHECK(digits(total.value) == "2.930143964611384367616892");
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("path totals: segments of several kinds add up, exactly where they are
   CHECK_THROWS_AS(total_torsion(two), DomainError);
   segments.emplace_back(bezier_curve({{x, 4, 0}, {x, 5, 0}, {x - 1, 5, 0}}, {1, 1, 2}));
   const Path path = joined(segments);
-  CHECK(std::holds_alternative<Total>(total_length(path).segments[0]));
+  CHECK(std::holds_alternative<CurveTotal>(total_length(path).segments[0]));
   CHECK(std::get<Surd>(total_length(path).segments[1]) == Surd(3));
   CHECK(std::holds_alternative<Real>(total_length(path).segments[2]));
   CHECK_FALSE(total_length(path).exact);
@@ -222,7 +222,7 @@ TEST_CASE("path totals: law: pieces of random curves have the totals of the whol
     const auto whole = bending_energy(curve);
     const auto energy = bending_energy(pieces);
     REQUIRE(whole.index() == energy.index());
-    if (whole.index() == 0) check_equal(finite(energy), std::get<Total>(whole).value);
+    if (whole.index() == 0) check_equal(finite(energy), std::get<CurveTotal>(whole).value);
   });
 }
 

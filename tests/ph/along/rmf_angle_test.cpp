@@ -201,7 +201,7 @@ TEST_CASE("angle: far outside [0, 1] and close to 0, against the leading behavio
         round_to_decimal(leading_terms, 3000).value);
   for (const Route route : {Route::roots, Route::both}) {
     RmfAngle slow(quintic, Reference::euler_rodrigues);
-    slow.take(route);
+    slow.set_route(route);
     CHECK(round_to_decimal(slow.value(parse_rational("1e-700")), 10).value == "6.666666667e-1401");
   }
   // θ has limits at ±∞: θ′ ~ −8/(37t²), so θ(10^30) and θ(10^31) differ by (8/37)(10^-30 − 10^-31).
@@ -281,7 +281,7 @@ TEST_CASE("angle: copies outlive what they came from, and their values outlive t
 TEST_CASE("angle: the way that a copy takes is its own") {
   const RmfAngle angle(quintic, Reference::euler_rodrigues);
   RmfAngle both = angle;
-  both.take(Route::both);
+  both.set_route(Route::both);
   CHECK(both.enclose(1, 200).overlaps(angle.enclose(1, 200)));
   CHECK(fifty(both, Rational(1, 3)) == fifty(angle, Rational(1, 3)));
 }

@@ -26,8 +26,8 @@ const Curve septic({{0, 3, 0, -1}, {0, 0, -3}, {}, {3}}, {Rational(1, 3)});
 const Curve plane({{1}, {}, {}, {0, 1}});
 
 std::string digits(const Real& x) { return round_to_decimal(x, 25).value; }
-std::string digits(const std::variant<Total, Infinite>& x) {
-  return digits(std::get<Total>(x).value);
+std::string digits(const std::variant<CurveTotal, Infinite>& x) {
+  return digits(std::get<CurveTotal>(x).value);
 }
 
 /// r′ = f in direction x.
@@ -57,7 +57,7 @@ bool agree(const Real& x, const Real& y) {
 // Quadrature by mpmath of |r′|, |r′|τ, |r′|κ², |r′|(κ² + τ²) and |r′|κ, these from r′, r″ and r‴ as
 // vectors.
 TEST_CASE("totals: the quintic of Farouki 2003") {
-  const Total length = total_length(quintic);
+  const CurveTotal length = total_length(quintic);
   CHECK(length.value.exact() == Rational(71, 15));
   CHECK(length.exact == ExactValue{Rational(71, 15), 0, {}, {}});
   CHECK(digits(total_torsion(quintic).value) == "-2.995041408117596460503755");
@@ -80,7 +80,7 @@ TEST_CASE("totals: a plane cubic in finite terms") {
   CHECK(total_curvature(plane).value().exact == ExactValue{0, Rational(1, 2), {}, {}});
   CHECK(rotation_index(plane).value().exact() == Rational(1, 4));
   const auto energy = bending_energy(plane);
-  CHECK(std::get<Total>(energy).exact == ExactValue{1, Rational(3, 8), {}, {}});
+  CHECK(std::get<CurveTotal>(energy).exact == ExactValue{1, Rational(3, 8), {}, {}});
   CHECK(digits(frenet_energy(plane)) == digits(energy));
   CHECK(total_torsion(plane).value.exact() == Rational(0));
   CHECK(erf_twist(plane).value.exact() == Rational(0));
@@ -90,7 +90,7 @@ TEST_CASE("totals: a plane cubic in finite terms") {
 // back. With i − k, of length √2, for k it goes to 2·arctan(√2/4).
 TEST_CASE("totals: where a plane curve turns the other way, its curvature still counts") {
   const Curve bend({{1}, {}, {}, {0, 1, -1}});
-  const Total total = total_curvature(bend).value();
+  const CurveTotal total = total_curvature(bend).value();
   REQUIRE(total.sign_changes.size() == 1);
   CHECK(total.sign_changes[0] == Rational(1, 2));
   CHECK(total.exact == ExactValue{0, 0, {}, {{4, Rational(1, 4)}}});
@@ -121,7 +121,7 @@ TEST_CASE("totals: the rotation index is exact in a plane with an irrational nor
 TEST_CASE("totals: a torsion that cancels by symmetry is exactly 0") {
   const Polynomial odd{Rational(-1, 2), 1};
   const Curve curve({{Rational(7, 4), -3, 3}, Polynomial{2} * odd, odd, odd}, odd);
-  const Total torsion = total_torsion(curve);
+  const CurveTotal torsion = total_torsion(curve);
   REQUIRE(torsion.sign_changes.size() == 1);
   CHECK_FALSE(torsion.rate.is_zero());
   CHECK(torsion.value.exact() == Rational(0));
@@ -132,11 +132,11 @@ TEST_CASE("totals: of a straight line") {
   CHECK(total_length(on_a_line(Polynomial{1, -2} * Polynomial{1, -2})).value.exact() ==
         Rational(1, 3));
   // ∫|t² − 1/2| dt = √2/3 − 1/6 and ∫|2t − 1| dt = 1/2, by hand.
-  const Total there_and_back = total_length(on_a_line({Rational(-1, 2), 0, 1}));
+  const CurveTotal there_and_back = total_length(on_a_line({Rational(-1, 2), 0, 1}));
   CHECK(there_and_back.sign_changes.size() == 1);
   CHECK(agree(there_and_back.value, Rational(1, 3) * square_root_of(2) + Rational(-1, 6)));
   CHECK(total_length(on_a_line({-1, 2})).value.exact() == Rational(1, 2));
-  CHECK(std::get<Total>(bending_energy(on_a_line({-1, 2}))).value.exact() == Rational(0));
+  CHECK(std::get<CurveTotal>(bending_energy(on_a_line({-1, 2}))).value.exact() == Rational(0));
   CHECK(total_curvature(on_a_line({-1, 2})).value().value.exact() == Rational(0));
   CHECK(rotation_index(on_a_line({1})).value().exact() == Rational(0));
   CHECK_THROWS_AS(total_torsion(on_a_line({1})), DomainError);
@@ -149,15 +149,15 @@ TEST_CASE("totals: where the multiplier changes sign, the torsion does, too") {
   CHECK(digits(total_length(curve).value) == "5.995557814918646860472738");
   CHECK(digits(total_torsion(curve).value) == "-0.9919039190342439442563993");
   const auto energy = bending_energy(curve);
-  CHECK(std::get<Infinite>(energy).pole == real_root({-1, 4, -1}, closed(0, 1)));
+  CHECK(std::get<Infinite>(energy).pole == real_root({-1, 4, -1}, closed_interval(0, 1)));
 }
 
 // A = 1 + t²j + t³k: g = t(3t + 2i) is 0 at t = 0, but its real factor t cancels in τ.
 TEST_CASE("totals: at an inflection all of them are finite") {
   const QuaternionPolynomial a{{1}, {}, {0, 0, 1}, {0, 0, 0, 1}};
   REQUIRE(bend_numerator(a) == GaussianPolynomial{{0, 0, 3}, {0, 2}});
-  CHECK(std::holds_alternative<Total>(bending_energy(Curve(a))));
-  CHECK(std::holds_alternative<Total>(frenet_energy(Curve(a))));
+  CHECK(std::holds_alternative<CurveTotal>(bending_energy(Curve(a))));
+  CHECK(std::holds_alternative<CurveTotal>(frenet_energy(Curve(a))));
 }
 
 // The rates from r′, r″ and r‴ as vectors, with f > 0.
@@ -185,7 +185,7 @@ TEST_CASE("totals: rates are those of the definition, and their integrals those 
     const RationalFunction tau(dot(normal, derivative(second)), dot(normal, normal));
     const RationalFunction squared_kappa(dot(normal, normal), pow(speed, 6));
 
-    const auto check = [](const Total& total, const RationalFunction& rate) {
+    const auto check = [](const CurveTotal& total, const RationalFunction& rate) {
       CHECK(total.rate == rate);
       CHECK(total.value.enclose(100).overlaps(quadrature(rate, 0, 1, 60)));
     };
@@ -193,10 +193,10 @@ TEST_CASE("totals: rates are those of the definition, and their integrals those 
     check(total_torsion(curve), tau * ds);
     const auto bending = bending_energy(curve);
     const auto frenet = frenet_energy(curve);
-    if (!std::holds_alternative<Total>(bending)) return;  // a cusp
+    if (!std::holds_alternative<CurveTotal>(bending)) return;  // a cusp
     ++count;
-    check(std::get<Total>(bending), squared_kappa * ds);
-    check(std::get<Total>(frenet), (squared_kappa + tau * tau) * ds);
+    check(std::get<CurveTotal>(bending), squared_kappa * ds);
+    check(std::get<CurveTotal>(frenet), (squared_kappa + tau * tau) * ds);
   });
   CHECK(count > 9 * test::multiplier());
 }
@@ -208,22 +208,24 @@ TEST_CASE("totals: the parts of a curve add up, and its reversal has the same") 
     const Curve first = segment(curve, 0, t);
     const Curve second = segment(curve, t, 1);
     const Curve back = reversed(curve);
-    using Sum = Total (*)(const Curve&);
+    using Sum = CurveTotal (*)(const Curve&);
     for (const Sum total : {Sum(total_length), Sum(total_torsion)}) {
       const Real whole = total(curve).value;
       CHECK(agree(total(first).value + total(second).value, whole));
       CHECK(agree(total(back).value, whole));
     }
-    using Energy = std::variant<Total, Infinite> (*)(const Curve&);
+    using Energy = std::variant<CurveTotal, Infinite> (*)(const Curve&);
     for (const Energy energy : {Energy(bending_energy), Energy(frenet_energy)}) {
       const auto whole = energy(curve);
       const auto mirrored = energy(back);
       CHECK(whole.index() == mirrored.index());
       if (whole.index() != 0) continue;
-      const Real& x = std::get<Total>(whole).value;
-      CHECK(agree(std::get<Total>(energy(first)).value + std::get<Total>(energy(second)).value, x));
-      CHECK(agree(std::get<Total>(mirrored).value, x));
-      CHECK(agree(std::get<Total>(energy(scaled(curve, -3))).value, Rational(1, 3) * x));
+      const Real& x = std::get<CurveTotal>(whole).value;
+      CHECK(agree(
+          std::get<CurveTotal>(energy(first)).value + std::get<CurveTotal>(energy(second)).value,
+          x));
+      CHECK(agree(std::get<CurveTotal>(mirrored).value, x));
+      CHECK(agree(std::get<CurveTotal>(energy(scaled(curve, -3))).value, Rational(1, 3) * x));
     }
   });
 }
@@ -241,7 +243,7 @@ TEST_CASE("totals: of helices") {
     const Curve curve(around_z * u);
     const auto found = helix(curve.preimage());
     if (!found) return;
-    const Total curvature = total_curvature(curve).value();
+    const CurveTotal curvature = total_curvature(curve).value();
     const Real torsion = total_torsion(curve).value;
     if (!curvature.sign_changes.empty()) return;
     ++count;
@@ -262,10 +264,10 @@ TEST_CASE("totals: law: the antiderivatives are those that the integrator finds 
   for_samples(8, [](Random& random) {
     const Polynomial multiplier = random.nonzero_polynomial(2);
     const Curve curve(random_curve(random, 4).preimage(), multiplier);
-    const Total torsion = total_torsion(curve);
+    const CurveTotal torsion = total_torsion(curve);
     CHECK(torsion.antiderivative == integrate(torsion.rate));
     const auto energy = frenet_energy(curve);
-    if (const auto* total = std::get_if<Total>(&energy))
+    if (const auto* total = std::get_if<CurveTotal>(&energy))
       CHECK(total->antiderivative == integrate(total->rate));
   });
 }

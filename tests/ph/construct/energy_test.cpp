@@ -29,7 +29,7 @@ TEST_CASE("energy: law: the quadrature agrees with the certified integral") {
   for_samples(20, [](Random& random) {
     const Curve curve(smooth_preimage(random, random.integer(1, 3)));
     const auto exact = bending_energy(curve);
-    const double energy = round_to_double(std::get<Total>(exact).value);
+    const double energy = round_to_double(std::get<CurveTotal>(exact).value);
     CHECK(approximate_energy(curve) == doctest::Approx(energy).epsilon(1e-7));
   });
 }
@@ -41,7 +41,7 @@ TEST_CASE("energy: law: the ball has the closed form in it, and 26 bits") {
     const auto exact = bending_energy(curve);
     const auto found = proved_energy(curve);
     REQUIRE(found);
-    CHECK(found->overlaps(std::get<Total>(exact).value.enclose(200)));
+    CHECK(found->overlaps(std::get<CurveTotal>(exact).value.enclose(200)));
     CHECK(found->accuracy_bits() >= 26);
   };
   for_samples(10, [&](Random& random) {

@@ -26,7 +26,7 @@ Vector<Rational> vector(const char* x, const char* y, const char* z) {
 }
 
 double energy_of(const Curve& curve) {
-  return round_to_double(std::get<Total>(bending_energy(curve)).value);
+  return round_to_double(std::get<CurveTotal>(bending_energy(curve)).value);
 }
 
 /// How far the curves are from the data, anew, and whether they are joined.

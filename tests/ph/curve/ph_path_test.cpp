@@ -57,7 +57,8 @@ TEST_CASE("path: the parameter of a joint belongs to the later segment") {
 TEST_CASE("path: the parameter along it is that of the segment after those before") {
   CHECK(parameter(PathParameter{2, Rational(1, 3)}) == Rational(7, 3));
   CHECK(algebraic_parameter(PathParameter{2, Rational(1, 3)})->rational() == Rational(7, 3));
-  const RealAlgebraic root = real_roots(Polynomial{-1, 0, 2}, closed(0, 1)).front().at;  // √(1/2)
+  const RealAlgebraic root =
+      real_roots(Polynomial{-1, 0, 2}, closed_interval(0, 1)).front().at;  // √(1/2)
   const RealAlgebraic along = algebraic_parameter(Place(3, root)).value();
   // (t − 3)² = 1/2.
   CHECK(sign_at(Polynomial{17, -12, 2}, along) == 0);

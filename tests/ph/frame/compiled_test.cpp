@@ -13,6 +13,7 @@
 #include "phrame/ph/frame/angle_polynomials.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/compiled_frame_rotation.hpp"
 #include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/rounded_frames.hpp"
 #include "support/curves.hpp"

@@ -104,7 +104,7 @@ TEST_CASE("frame: law: both angles describe the same rotation-minimizing frames"
     const Rational t = Rational(random.integer(1, 8), 4);
     const Polynomial g_common =
         gcd(bend_numerator(curve.preimage()).re, bend_numerator(curve.preimage()).im);
-    if (count_real_roots(g_common, closed(0, t)) > 0) return;
+    if (count_real_roots(g_common, closed_interval(0, t)) > 0) return;
     RmfAngle erf(curve, Reference::euler_rodrigues);
     RmfAngle frenet(curve, Reference::frenet);
     const RealBall difference = subtract(frenet.enclose(t, bits), erf.enclose(t, bits), bits);

@@ -142,7 +142,7 @@ TEST_CASE("offset: w = 1 + it, d = -1: the cusp is at sqrt(sqrt 2 - 1), and the 
   const auto all = cusps(found);
   REQUIRE(all.size() == 1);
   CHECK(all[0].turns_back);
-  CHECK((all[0].t == real_root(Polynomial{-1, 0, 2, 0, 1}, open(0, 1))));
+  CHECK((all[0].t == real_root(Polynomial{-1, 0, 2, 0, 1}, open_interval(0, 1))));
   const OffsetLength lengths = length(found);
   REQUIRE(lengths.stretches.size() == 2);
   CHECK(round_to_decimal(lengths.stretches[0].length.value, 15).value == "0.411261664757214");

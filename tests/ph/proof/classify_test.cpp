@@ -68,7 +68,7 @@ TEST_CASE("classify: law: the witnesses stand, and real factors do not matter") 
     Polynomial common = gcd(gcd(r[0], r[1]), r[2]);
     CHECK(common == c.content);
     CHECK(static_cast<long>(c.cusps.size()) ==
-          count_real_roots(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], closed(0, 1)));
+          count_real_roots(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], closed_interval(0, 1)));
     CHECK(c.erf_is_rotation_minimizing == rate_to_erf(a).is_zero());
     if (c.helix || c.normal) CHECK((c.double_ph.has_value() || c.normal.has_value()));
     if (c.helix) CHECK(c.double_ph.has_value());

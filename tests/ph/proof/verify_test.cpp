@@ -240,7 +240,8 @@ TEST_CASE("verify: what is false is not proved") {
       {"monotone", [](Certificate& c) { c.decisions.erf_monotone = false; }},
       {"lost zero", [](Certificate& c) { c.decisions.zeros_of_h.pop_back(); }},
       {"order", [](Certificate& c) { c.decisions.zeros_of_h[0].order = 2; }},
-      {"place", [](Certificate& c) { c.decisions.extrema[0].interval = open(0, Rational(1, 3)); }},
+      {"place",
+       [](Certificate& c) { c.decisions.extrema[0].interval = open_interval(0, Rational(1, 3)); }},
   };
   const Certificate good = certificate(twisted, Reference::frenet);
   check_proved(good);

@@ -89,7 +89,7 @@ Curve random_curve(Random& random) {
     for (long k = 0; k <= degree; ++k) part.push_back(Rational(random.integer(-30, 30), 10));
   QuaternionPolynomial a{from_bernstein(parts[0]), from_bernstein(parts[1]),
                          from_bernstein(parts[2]), from_bernstein(parts[3])};
-  if (sigma(a)(0) == 0 || sigma(a)(1) == 0 || count_real_roots(sigma(a), closed(0, 1)) > 0)
+  if (sigma(a)(0) == 0 || sigma(a)(1) == 0 || count_real_roots(sigma(a), closed_interval(0, 1)) > 0)
     return random_curve(random);
   return Curve(a);
 }
