@@ -283,12 +283,9 @@ TEST_CASE("compile: more pieces than a short index can count") {
     return piece;
   };
   const Curve line({{1}, {}, {}, {}});
-  const CompiledAnswer compiled{NamedPhPath("", line),
-                                Reference::euler_rodrigues,
-                                Angle(),
+  const CompiledAnswer compiled{NamedPhPath("", line), Reference::euler_rodrigues, Angle(),
                                 FrameAngle(),
-                                PiecewisePolynomial::on_units(count, plain_shape(1), step),
-                                {}};
+                                shared(PiecewisePolynomial::on_units(count, plain_shape(1), step))};
   const std::string header = to_c_header(compiled, "arm");
   CHECK(contains(header, "static const unsigned long"));
   if (test::multiplier() == 1) return;  // compilers take seconds for so many

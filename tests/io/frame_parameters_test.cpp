@@ -11,6 +11,7 @@
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace frame_parameters_test {

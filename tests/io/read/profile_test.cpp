@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/profile_curve.hpp"
 #include "support/text.hpp"
 
 #include <doctest/doctest.h>

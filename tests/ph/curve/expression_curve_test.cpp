@@ -1,3 +1,4 @@
+#include "phrame/algebra/complex_series.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 
 #include "phrame/algebra/ball.hpp"

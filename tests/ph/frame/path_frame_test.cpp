@@ -1,4 +1,5 @@
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/algebra/algebraic_point.hpp"
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
@@ -35,7 +36,7 @@ struct OfCurve {
 /// Not seen to be rational.
 Place hidden(const Rational& t) {
   Place place(0, Real([t](long bits) { return RealBall(t, bits); }));
-  place.algebraic.emplace(RealAlgebraic(t));
+  place.algebraic = std::make_shared<const AlgebraicPoint>(RealAlgebraic(t));
   return place;
 }
 
