@@ -34,7 +34,7 @@ FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
 
 FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
     : path_(std::move(path)), kind_(kind), start_(start), from_(start) {
-  from_.value = remembered(from_.value);
+  from_.value = cached(from_.value);
 }
 
 void FrameSource::make() {

@@ -67,16 +67,27 @@ long bits_for(const Rational& squared_size, long places) {
 }
 
 /// How many bits must be known of the numbers that are rounded to multiples of 2^−places.
-long working_precision(const HermiteSpline& data, long places) {
-  return std::max(0L, places + exponent_above_root(size_of_derivatives(data) + 1)) + 96;
-}
+class WorkingPrecision {
+ public:
+  explicit WorkingPrecision(const HermiteSpline& data)
+      : size_(exponent_above_root(size_of_derivatives(data) + 1)) {}
+  long operator()(long places) const { return std::max(0L, places + size_) + 96; }
+
+ private:
+  long size_;  ///< of the roots of all derivatives, in bits
+};
 
 /// A spline with one rounding.
 class RmfChain {
  public:
-  RmfChain(const HermiteSpline& data, const RmfPlan& plan, long places, PointRule rule,
-           SplineBuilder& builder)
-      : data_(data), plan_(plan), places_(places), rule_(rule), builder_(builder) {}
+  RmfChain(const HermiteSpline& data, const RmfPlan& plan, const WorkingPrecision& precision,
+           long places, PointRule rule, SplineBuilder& builder)
+      : data_(data),
+        plan_(plan),
+        working_precision_(precision),
+        places_(places),
+        rule_(rule),
+        builder_(builder) {}
 
   /// No value where it could not be closed, or not meet its points exactly.
   std::optional<Construction> run();
@@ -106,6 +117,7 @@ class RmfChain {
 
   const HermiteSpline& data_;
   const RmfPlan& plan_;
+  const WorkingPrecision& working_precision_;
   long places_;
   PointRule rule_;
   SplineBuilder& builder_;
@@ -126,7 +138,7 @@ Rational RmfChain::size_at(std::size_t k, const RationalQuaternion& base) const 
   const Vector<Rational>& d = data_.derivatives[k];
   if (largest(d) == 0) return 0;
   const long places = bits_for(norm(base), places_);
-  const long precision = working_precision(data_, places);
+  const long precision = working_precision_(places);
   const Vector<BigFloat> v = big_floats(d, precision);
   return rounded_to_places(sqrt(sqrt(dot(v, v)) / BigFloat(norm(base), precision)), places);
 }
@@ -136,7 +148,7 @@ void RmfChain::start() {
   const std::size_t k = is_zero_at(0) ? 1 : 0;
   const Vector<Rational> along = is_zero_at(k) ? mean_derivative(data_, 0) : data_.derivatives[k];
   const long places = places_at(k);
-  first_ = rounded_to_places(preimage(big_floats(along, working_precision(data_, places))), places);
+  first_ = rounded_to_places(preimage(big_floats(along, working_precision_(places))), places);
   joint_ = {first_, is_zero_at(0) ? 0 : 1};
 }
 
@@ -158,7 +170,7 @@ ExactFit RmfChain::between_parallels(std::size_t k, const Vector<Rational>& targ
 /// The end of a septic for a phase of its own.
 RmfChain::Joint RmfChain::end_of(const FloatQuaternion& as_is, std::size_t k, long places) const {
   if (!is_closing(k)) return {rounded_to_places(as_is, places), 1};
-  const long precision = working_precision(data_, places);
+  const long precision = working_precision_(places);
   const auto [re, im] =
       direction_of(hermitian_product(big_floats(first_, precision), as_is), BigFloat(0.0));
   const GaussianRational u =
@@ -213,7 +225,7 @@ RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Ra
     places_ += places_between;
   else if (chain.is_closing(k))
     places_ += bits_for(norm(q_), places_);
-  precision_ = working_precision(chain.data_, places_);
+  precision_ = chain.working_precision_(places_);
   const Vector<Rational>& d3 = chain.data_.derivatives[k + 1];
   bits_ = bits_for(std::max(norm(q_), 2 * largest(d3)), places_);
   a0_ = preimage(big_floats(chain.data_.derivatives[k], precision_));
@@ -340,11 +352,12 @@ Construction rmf_spline(const HermiteSpline& data, const Deviation& tolerance, P
   constexpr int most_passes = 12;
   require_regular(data);
   const long places = first_places(data, tolerance);
-  const RmfPlan plan = rmf_plan(data, tolerance, 2 * working_precision(data, places));
+  const WorkingPrecision precision(data);
+  const RmfPlan plan = rmf_plan(data, tolerance, 2 * precision(places));
   return first_built(
       data, rule, tolerance, places, most_passes,
       [&](SplineBuilder& builder, long now) {
-        return RmfChain(data, plan, now, rule, builder).run();
+        return RmfChain(data, plan, precision, now, rule, builder).run();
       },
       data.is_closed
           ? "the septics with h = 0: the spline could not be closed"
