@@ -453,3 +453,29 @@ TEST_CASE("path angle: the holonomy of a quadrangle along x, y, z and back is -p
   for (const Vector<Rational>& v : {Vector<Rational>{1, 2, 5}, {2, -3, 1}, {1, -1, 0}})
     CHECK(over_pi(PathAngle(four, v).holonomy().value()) == Rational(-1, 3));
 }
+
+// Of the same closed curve e₁ is the tangent at the start, whichever e₁ the segments are given
+// with, so that the frame comes back turned by the same angle about it, with the same sign.
+TEST_CASE("path angle: the holonomy is the same whether or not the first segment is turned over") {
+  const PhPath ph = chain(quarters());
+  const auto holonomy = [](const std::vector<Segment>& segments) {
+    Path path(segments.front());
+    for (std::size_t k = 1; k < segments.size(); ++k) path.append(segments[k]);
+    return PathAngle(path, {3, 5, 7}).holonomy().value();
+  };
+  const Path of_ph(ph);
+  for (const Path& path : {of_ph, by_positions(ph)}) {
+    std::vector<Segment> segments = path.segments();
+    CHECK(digits(holonomy(segments)) == "1.13263544456407");
+    for (Segment& segment : segments) {
+      segment = turned_over(segment);
+      CHECK(digits(holonomy(segments)) == "1.13263544456407");
+    }
+  }
+  const Path trefoil = read_any_path(R"json({"phrame": "curve/1", "from": 0, "to": "2*pi",
+      "expressions": {"x": "sin(t) + 2*sin(2*t)", "y": "cos(t) - 2*cos(2*t)", "z": "-sin(3*t)"}}
+      )json")
+                           .path;
+  CHECK(digits(holonomy({turned_over(trefoil.segments().front())})) ==
+        digits(holonomy(trefoil.segments())));
+}
