@@ -142,11 +142,14 @@ bool has_twist_frames(const TableColumns& columns) {
   return has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
 }
 
-/// Adds the frames of minimal twist that there are columns for.
+/// Adds the frames of minimal twist that there are columns for. The angles at their ends are those
+/// to the Euler–Rodrigues frame where the rational one is among them, of which it is a turn.
 void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PathAngle& angle) {
   const auto [from, to] = options.ends(angle.path());
-  columns.exact_mtf = minimal_twist(angle, from, to, options.turns);
-  if (!has_frame(columns, TabulatedFrame::mtf)) return;
+  const bool is_rational = has_frame(columns, TabulatedFrame::mtf);
+  columns.exact_mtf =
+      minimal_twist(is_rational ? PathAngle(angle.path()) : angle, from, to, options.turns);
+  if (!is_rational) return;
   constexpr long digits = 17;
   columns.mtf =
       twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
@@ -167,10 +170,8 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
   if (has_frame(columns, TabulatedFrame::euler_rodrigues) &&
       std::none_of(segments.begin(), segments.end(), ph_curve))
     throw InputError("--frame", "\"erf\" " + needs_ph(angle.path()));
-  if (angle.reference() == Reference::up && has_frame(columns, TabulatedFrame::mtf))
-    throw InputError("--frame", angle.path().is_ph()
-                                    ? "\"mtf\" is not tabulated beside the frame of v"
-                                    : "\"mtf\" " + needs_ph(angle.path()));
+  if (has_frame(columns, TabulatedFrame::mtf) && !angle.path().is_ph())
+    throw InputError("--frame", "\"mtf\" " + needs_ph(angle.path()));
 }
 
 TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
@@ -284,8 +285,8 @@ void add_frames(Program& program) {
   options->up.add_to(
       command,
       "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, that --start up starts\n"
-      "with and angles of mtf-exact are counted from (default: one that is nowhere\n"
-      "along the tangent)");
+      "with and angles of mtf-exact without mtf are counted from (default: one that is\n"
+      "nowhere along the tangent)");
   command.only_with({"--up"}, {"--frame up", "--frame mtf-exact", "--start up"});
   options->twist.add_to(command);
   command.only_with(TwistOptions::of_ends(), {"--frame mtf", "--frame mtf-exact"});

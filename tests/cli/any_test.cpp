@@ -192,8 +192,24 @@ TEST_CASE("any curve: PH curves have the frame of v, as curves of any kind") {
   check_success(here.run("compile quintic.json --frame up"));
   check_success(here.run(
       "interpolate quintic.json --period 1 --feed 1 --format gcode --start up --up 0,0,1"));
-  check_failure(here.run("frames quintic.json --frame up,mtf --from 0 --to 0 --at 0"), 2,
-                "--frame: \"mtf\" is not tabulated beside");
+}
+
+// Its ends are at angles to the Euler–Rodrigues frame, of which it is a turn, as by itself.
+TEST_CASE("any curve: the rational frame of minimal twist is tabulated beside that of v") {
+  const Workshop here;
+  const auto rows = [&](const std::string& frames) {
+    const Run run = here.run("frames quintic.json --samples 4 --format json --frame " + frames);
+    check_success(run);
+    return Json::parse(run.out)["rows"];
+  };
+  const Json all = rows("up,mtf,mtf-exact --up 0,1,2 --from 1 --to pi/8");
+  const Json up = rows("up --up 0,1,2");
+  const Json twist = rows("mtf,mtf-exact --from 1 --to pi/8");
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t k = 0; k < 25; ++k) {
+      CAPTURE(k);
+      CHECK(all[row][k] == (k < 13 ? up[row][k] : twist[row][k - 6]));
+    }
 }
 
 TEST_CASE("any curve: in a path of several kinds PH segments keep their Euler-Rodrigues frame") {
