@@ -7,8 +7,10 @@
 #include <random>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
 #include "phrame/ph/frame/frame.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -137,6 +139,44 @@ TEST_CASE("rmf_difference_bound: no two exact frames differ by more") {
   }
   CHECK(bounded > 45 * multiplier());
   CHECK(closest > 0.1);  // the bound is of the size of the truth
+}
+
+// Where a frame starts depends on the tangent there alone: with φ from the x axis to it, two that
+// are δ apart have starts that differ by at most the area δ tan(φ/2) of a triangle on the sphere.
+TEST_CASE(
+    "rmf_difference_bound: from where they start by themselves, nor do frames of a PH curve "
+    "and of its control points in doubles") {
+  // PHRAME_TEST_MULTIPLIER=13 makes them 520.
+  const auto frame_at = [](const PathAngle& angle, const Rational& t) {
+    const StartAngle start = start_angle(LeastRotation(), angle);
+    const Frame<Real> frame = rotation_minimizing_frame(angle, {0, t}, start);
+    return Moving{round_to_double(frame.e1), round_to_double(frame.e2)};
+  };
+  std::mt19937_64 engine(7);
+  long as_near_as_doubles = 0;
+  for (long k = 0; k < 40 * multiplier(); ++k) {
+    CAPTURE(k);
+    const Curve curve = near_pair(engine, 1 + k % 3, 0).first;
+    const BezierPoints exact =
+        control_points_in_degree(curve, static_cast<std::size_t>(degree(curve)));
+    BezierPoints rounded = exact;
+    for (auto& point : rounded)
+      for (Rational& x : point) x = exact_rational(round_to_double(x));
+    const auto bound =
+        rmf_difference_bound({{bezier_derivatives(rounded), bezier_derivatives(exact)}});
+    REQUIRE(bound.has_value());
+    const PathAngle of_curve{Path(curve)};
+    const PathAngle of_points = angle_to(std::nullopt, Path(bezier_curve(rounded)));
+    CHECK(of_points.reference() == Reference::up);
+    const Triple e1 = frame_at(of_curve, 0).tangent;
+    const Triple off = plus(frame_at(of_points, 0).tangent, -1, e1);
+    const double start = std::sqrt(dot(off, off)) * std::tan(std::acos(e1[0]) / 2);
+    const double most = static_cast<double>(*bound) + 1.01 * start + 1e-15;
+    for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1)})
+      CHECK(std::abs(angle_between(frame_at(of_curve, t), frame_at(of_points, t))) <= most);
+    if (most < 1e-13) ++as_near_as_doubles;
+  }
+  CHECK(as_near_as_doubles > 35 * multiplier());
 }
 
 TEST_CASE("rmf_difference_bound: nor do frames of curves that are not PH, by double reflection") {
