@@ -12,7 +12,8 @@ FrameKind frame_kind(const std::string& name, const PathObject& self) {
                                             {"erf", TabulatedFrame::euler_rodrigues},
                                             {"up", TabulatedFrame::up},
                                             {"frenet", TabulatedFrame::frenet}});
-  if (kind == TabulatedFrame::euler_rodrigues && !self.ph)
+  const auto& segments = self.named.path.segments();
+  if (kind == TabulatedFrame::euler_rodrigues && std::ranges::none_of(segments, ph_curve))
     refuse("kind", "\"erf\" is of PH curves, and " + why_not_ph(self.named.path),
            nb::str(name.c_str()));
   return kind;
@@ -156,7 +157,7 @@ nb::object array_of(const PathObject& self, const ArrayQuery& asked,
   const bool is_erf = asked.kind == TabulatedFrame::euler_rodrigues;
   if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
   const bool is_general =
-      !is_erf && (asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start));
+      is_erf ? !self.ph : asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start);
   const Numbers numbers =
       is_general ? general_numbers(self, at, asked, write) : closed_numbers(self, at, asked, write);
   if (asked.width == 4 &&
@@ -280,7 +281,7 @@ void bind_arrays(PathClass& path) {
       "frames",
       tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
       "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
-      "Every number is correctly rounded. `kind` is rmf, erf (of PH curves), up or frenet; `by` is "
+      "Every number is correctly rounded. `kind` is rmf, erf (on PH curves), up or frenet; `by` is "
       "parameter or arc_length; where a rotation-minimizing frame starts, `start` or "
       "`start_normal` says: see docs/python.md.");
   PHRAME_FRAMES("quaternions",

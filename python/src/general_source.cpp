@@ -86,6 +86,7 @@ Frame<Real> GeneralSource::exact_frame(const Parameters& at, std::size_t k) cons
   const Place here = place(at, k);
   if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, here, start_);
   if (kind_ == TabulatedFrame::frenet) return frenet_frame(path_, here);
+  if (kind_ == TabulatedFrame::euler_rodrigues) return euler_rodrigues_frame(path_, here);
   return up_frame(path_, angle_->up(), here);
 }
 

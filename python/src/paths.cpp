@@ -247,8 +247,8 @@ void bind_path(nb::module_& m, PathClass& path) {
           "A vector v that is nowhere along the tangent: the angles of paths that are not PH are "
           "those to the frame e2 = v × e1/|v × e1|, e3 = e1 × e2.")
       .def(
-          "json", [](const PathObject& self) { return write_path(ph_of(self, "json")); },
-          "The curve/1 or spline/1 file of a path of PH curves.")
+          "json", [](const PathObject& self) { return write_path(self.named); },
+          "The curve/1 or spline/1 file of the path, which has no formulas.")
       .def(
           "__eq__",
           [](const PathObject& self, nb::handle other) {

@@ -90,10 +90,14 @@ bool is_polynomial(const Segment& segment) {
 }  // namespace
 
 std::string needs_ph(const Path& path) {
-  const std::string none = "needs a Pythagorean-hodograph curve, and this is none";
+  const auto& segments = path.segments();
+  const auto ph = std::find_if(segments.begin(), segments.end(), ph_curve);
+  const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
+  const std::string none = fmt::format(
+      "needs a Pythagorean-hodograph curve, and {} is none",
+      ph == segments.end() ? "this" : fmt::format("segment {}", other - segments.begin() + 1));
   if (is_straight(path))
     return none + " but a straight line, where any frame that does not turn is the right one";
-  const auto& segments = path.segments();
   if (std::all_of(segments.begin(), segments.end(), is_polynomial))
     return none +
            " (\"phrame identify --near\" finds one near it, \"phrame construct\" one through "

@@ -262,10 +262,19 @@ JsonOutput json_of(const RationalCurve& curve) {
 
 namespace {
 
+JsonOutput json_of(const ExpressionCurve& curve) {
+  const std::string& s = curve.variable();
+  const auto& [x, y, z] = curve.position();
+  return {{"phrame", "curve/1"},
+          {"expressions", {{"x", full_text(x, s)}, {"y", full_text(y, s)}, {"z", full_text(z, s)}}},
+          {"variable", s},
+          {"from", full_text(curve.from(), s)},
+          {"to", full_text(curve.to(), s)}};
+}
+
 JsonOutput segment_json(const Segment& segment) {
   if (const Curve* ph = ph_curve(segment)) return json_of(NamedCurve{"", *ph});
-  if (const RationalCurve* curve = rational_curve(segment)) return json_of(*curve);
-  throw DomainError("a segment by formulas is written as no curve");
+  return visit_curve([](const auto& curve) { return json_of(curve); }, segment);
 }
 
 }  // namespace
@@ -281,10 +290,11 @@ JsonOutput json_of(const NamedPath& named) {
     return json;
   }
   JsonOutput segments = JsonOutput::array();
-  for (const Segment& segment : list) {
-    JsonOutput part = segment_json(segment);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    JsonOutput part = segment_json(list[k]);
     part.erase("phrame");
-    if (!segments.empty()) part.erase("start");
+    // Where a segment by formulas ends is not read as fractions.
+    if (k > 0 && rational_curve(list[k - 1]) != nullptr) part.erase("start");
     segments.push_back(std::move(part));
   }
   json["segments"] = std::move(segments);

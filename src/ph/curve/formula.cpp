@@ -165,6 +165,12 @@ std::vector<std::string> step_texts(const FormulaSteps& steps, const std::string
   return result;
 }
 
+std::string full_text(const Formula& f, const std::string& variable) {
+  std::vector<FormulaText> texts;
+  for (const Formula::Step& step : f.steps()) texts.push_back(text_of_step(step, texts, variable));
+  return std::move(texts.back().text);
+}
+
 std::string to_string(const Formula& f, const std::string& variable) {
   return step_texts(f.steps(), variable).back();
 }

@@ -83,7 +83,9 @@ class PHRAME_API Formula {
 /// Does its value not depend on the variable, by its form?
 PHRAME_API bool is_constant(const Formula& f);
 
-/// "cos(2*s)*(2 + cos(3*s))"; the middle is left out of what is longer than about 60 characters.
+/// "cos(2*s)*(2 + cos(3*s))", as curve files have it.
+PHRAME_API std::string full_text(const Formula& f, const std::string& variable);
+/// The same for messages: the middle is left out of what is longer than about 60 characters.
 PHRAME_API std::string to_string(const Formula& f, const std::string& variable);
 /// The same of each step, for messages that name a part.
 PHRAME_API std::vector<std::string> step_texts(const std::vector<Formula::Step>& steps,

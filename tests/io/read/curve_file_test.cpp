@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/ph/frame/frame.hpp"
+#include "support/data.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 #include "support/text.hpp"
@@ -441,6 +446,34 @@ TEST_CASE("curve files: law: a spline that is written is read as the same spline
   });
   const NamedPhPath loop{"", test::closed_loop()};
   CHECK(read_path(write_path(loop)).path == loop.path);
+}
+
+// A fraction in a formula, which was a decimal, is read as a quotient.
+TEST_CASE("curve files: law: a path of any kind that is written is read as the same path") {
+  const auto check = [](const NamedPath& named) {
+    const std::string written = write_path(named);
+    const NamedPath back = read_any_path(written);
+    CHECK(back.name == named.name);
+    CHECK(write_path(back) == written);
+    for (const Rational& t : {Rational(1, 3), named.path.end()}) {
+      const Place at = locate(named.path, t);
+      CHECK(round_to_double(position(back.path, at)) == round_to_double(position(named.path, at)));
+    }
+    return back.path == named.path;
+  };
+  for (const std::string name : {"mixed", "helix", "trefoil", "pipe-spline", "nurbs-circle"}) {
+    CAPTURE(name);
+    std::ifstream file(test::root("/examples/any/" + name + ".json"));
+    check(read_any_path(std::string(std::istreambuf_iterator<char>(file), {})));
+  }
+  check(read_any_path(R"json({"phrame": "curve/1", "expressions":
+      {"x": "-2/3 - (1 - cos(u))^2/(2*pi)", "y": "sin(u)", "z": "exp(-u)*(-3) + u^(2/3)^2"},
+       "from": 1.5, "to": "-1/2*pi + pi/2 - 0.5 + 2^(1/2)/(1+1) - -3"})json"));
+  // PH lines behind formulas, of which the first says where it starts.
+  CHECK(check(read_any_path(R"json({"phrame": "spline/1", "segments": [
+      {"expressions": {"x": "sin(pi*s)^2", "y": "0", "z": "s"}, "from": 0, "to": 1},
+      {"control_points": [[0, 0, 1], [0, 0, "4/3"]]},
+      {"preimage": {"u": [1], "v": [0], "p": [-1], "q": [0]}, "basis": "power"}]})json")));
 }
 
 }  // namespace curve_file_test
