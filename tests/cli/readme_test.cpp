@@ -4,7 +4,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -89,6 +91,21 @@ TEST_CASE("README: the C++ shown is examples/quickstart.cpp, which is compiled a
   const auto shown = blocks(content(root + "/README.md"), "cpp");
   REQUIRE(shown.size() == 1);
   CHECK(shown.front() == content(root + "/examples/quickstart.cpp"));
+}
+
+TEST_CASE("documents: the functions and files of docs/architecture.md are in src") {
+  std::string sources;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root + "/src"))
+    if (entry.is_regular_file()) sources += entry.path().string() + content(entry.path().string());
+  const std::string text = content(root + "/docs/architecture.md");
+  long all = 0;
+  const std::regex named("`(?:\\w+::)?(\\w+\\()|`((?:\\w+/)+\\w+)`");
+  for (std::sregex_iterator it(text.begin(), text.end(), named), end; it != end; ++it, ++all) {
+    const std::string name = (*it)[1].matched ? (*it)[1].str() : "/src/" + (*it)[2].str();
+    CAPTURE(name);
+    CHECK(contains(sources, name));
+  }
+  CHECK(all > 50);
 }
 
 }  // namespace readme_test
