@@ -74,9 +74,9 @@ JsonOutput all_chosen(const OptionList& options, const std::string& choices) {
 }
 
 JsonOutput any_chosen(const OptionList& options, const std::vector<std::string>& choices) {
-  JsonOutput list = JsonOutput::array();
-  for (const std::string& choice : choices) list.push_back(all_chosen(options, choice));
-  return {{"anyOf", list}};
+  return {{"anyOf", array_of(choices, [&](const std::string& choice) {
+             return all_chosen(options, choice);
+           })}};
 }
 
 /// A condition of an option, where it is given; a flag is given where it is true.

@@ -39,8 +39,8 @@ JsonOutput json_of(const ListedOption& option) {
 std::string listing(const std::vector<const Command*>& commands) {
   JsonOutput list = JsonOutput::array();
   for (const Command* command : commands) {
-    JsonOutput options = JsonOutput::array();
-    for (const ListedOption& option : listed_options(*command)) options.push_back(json_of(option));
+    const JsonOutput options = array_of(listed_options(*command),
+                                        [](const ListedOption& option) { return json_of(option); });
     list.push_back({{"command", command->name()},
                     {"what", command->what()},
                     {"question", is_question(*command)},

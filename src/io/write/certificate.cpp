@@ -9,13 +9,12 @@ namespace {
 JsonOutput json_of(const GaussianInteger& z) { return {z.re.str(), z.im.str()}; }
 
 JsonOutput json_of(const std::vector<RootDisc>& discs) {
-  JsonOutput list = JsonOutput::array();
-  for (const RootDisc& disc : discs)
-    list.push_back({{"center", json_of(disc.center)},
-                    {"radius", disc.radius.str()},
-                    {"residue", json_of(disc.residue)},
-                    {"residue_radius", disc.residue_radius.str()}});
-  return list;
+  return array_of(discs, [](const RootDisc& disc) -> JsonOutput {
+    return {{"center", json_of(disc.center)},
+            {"radius", disc.radius.str()},
+            {"residue", json_of(disc.residue)},
+            {"residue_radius", disc.residue_radius.str()}};
+  });
 }
 
 JsonOutput json_of(const StatedPoint& point) {
@@ -28,9 +27,7 @@ JsonOutput json_of(const StatedPoint& point) {
 }
 
 JsonOutput json_of(const std::vector<StatedPoint>& points) {
-  JsonOutput list = JsonOutput::array();
-  for (const StatedPoint& point : points) list.push_back(json_of(point));
-  return list;
+  return array_of(points, [](const StatedPoint& point) { return json_of(point); });
 }
 
 JsonOutput json_of(const AngleClaim& claim) {
@@ -75,13 +72,11 @@ JsonOutput json_of(const StatedDecisions& d) {
 
 std::string write_certificate(const Certificate& c, const std::string& name,
                               const std::optional<Nearness>& near) {
-  JsonOutput logs = JsonOutput::array();
-  for (const CertifiedLogs& sum : c.logs)
-    logs.push_back({{"index", json_of(sum.index)},
-                    {"residue", json_of(sum.residue)},
-                    {"roots", json_of(sum.roots)}});
-  JsonOutput claims = JsonOutput::array();
-  for (const AngleClaim& claim : c.claims) claims.push_back(json_of(claim));
+  const auto logs = [](const CertifiedLogs& sum) -> JsonOutput {
+    return {{"index", json_of(sum.index)},
+            {"residue", json_of(sum.residue)},
+            {"roots", json_of(sum.roots)}};
+  };
   JsonOutput json = {
       {"phrame", "certificate/1"},
       {"curve", json_of(NamedCurve{name, c.curve, near})},
@@ -97,11 +92,11 @@ std::string write_certificate(const Certificate& c, const std::string& name,
         {"common", json_of(c.rate.common)},
         {"coprime_modulo", c.rate.modulus.str()}}},
       {"bits", c.bits},
-      {"antiderivative", {{"rational", json_of(c.rational)}, {"logs", logs}}}};
+      {"antiderivative", {{"rational", json_of(c.rational)}, {"logs", array_of(c.logs, logs)}}}};
   if (c.bend)
     json["bend"] = {{"polynomial", json_of(c.bend->polynomial)},
                     {"content", json_of(c.bend->content)}};
-  json["claims"] = claims;
+  json["claims"] = array_of(c.claims, [](const AngleClaim& claim) { return json_of(claim); });
   json["decisions"] = json_of(c.decisions);
   return pretty(json);
 }

@@ -24,10 +24,9 @@ std::string places(const std::vector<RealRoot>& roots, Notation notation) {
 }
 
 JsonOutput json_of(const std::vector<RealRoot>& roots) {
-  JsonOutput list = JsonOutput::array();
-  for (const auto& [at, order] : roots)
-    list.push_back({{"t", phrame::json_of(at)}, {"order", order}});
-  return list;
+  return array_of(roots, [](const RealRoot& root) -> JsonOutput {
+    return {{"t", phrame::json_of(root.at)}, {"order", root.order}};
+  });
 }
 
 /// All in JSON, and in words those that are told, if there are any.

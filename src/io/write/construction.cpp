@@ -203,9 +203,7 @@ Value segments_value(const ConstructionAnswer& answer) {
 
 Value parameters_value(const ConstructionAnswer& answer) {
   return {Value::Rows(), [&] {
-            JsonOutput parameters = JsonOutput::array();
-            for (const Rational& t : answer.parameters) parameters.push_back(to_string(t));
-            return parameters;
+            return array_of(answer.parameters, [](const Rational& t) { return to_string(t); });
           }};
 }
 

@@ -160,9 +160,8 @@ std::string to_json(const PathIdentification& found) {
     json["near"] = {{"epsilon", to_string(near->epsilon)}, {"found", true}};
     json["near"].update(json_of(*near));
   }
-  JsonOutput segments = JsonOutput::array();
-  for (const Curve& curve : path.segments()) segments.push_back(json_of(curve_fields(curve)));
-  json["segments"] = std::move(segments);
+  json["segments"] =
+      array_of(path.segments(), [](const Curve& curve) { return json_of(curve_fields(curve)); });
   return pretty(json);
 }
 

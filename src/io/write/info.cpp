@@ -31,11 +31,7 @@ Value places(const std::vector<Decimal>& parameters) {
                                                    : "at $t \\approx " + t.value + "$");
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const Decimal& t : parameters) list.push_back(t.value);
-    return list;
-  };
+  const auto json = [&] { return array_of(parameters, [](const Decimal& t) { return t.value; }); };
   return {Value::Rows(rows), json};
 }
 
@@ -52,17 +48,12 @@ Value cusps_value(const std::vector<RealRoot>& cusps) {
     }
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const RealRoot& cusp : cusps) {
-      const auto exact = cusp.at.rational();
-      const RealBall t = enclose(cusp.at, 53);
-      list.push_back(
-          {to_string(exact ? *exact : t.lower()), to_string(exact ? *exact : t.upper())});
-    }
-    return list;
+  const auto interval = [](const RealRoot& cusp) -> JsonOutput {
+    const auto exact = cusp.at.rational();
+    const RealBall t = enclose(cusp.at, 53);
+    return {to_string(exact ? *exact : t.lower()), to_string(exact ? *exact : t.upper())};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&cusps, interval] { return array_of(cusps, interval); }};
 }
 
 /// Where there is none, these rows, and null in JSON.
@@ -75,11 +66,7 @@ Value optional_value(const std::optional<Decimal>& value,
 Value energy(const std::optional<Decimal>& value) { return optional_value(value, {"$∞$"}); }
 
 Value control_points_value(const Curve& curve) {
-  return {Value::Rows(), [&] {
-            JsonOutput points = JsonOutput::array();
-            for (const auto& point : control_points(curve)) points.push_back(json_of(point));
-            return points;
-          }};
+  return {Value::Rows(), [&] { return array_of(control_points(curve)); }};
 }
 
 Value sign_value(const Curve& curve) {
@@ -207,13 +194,10 @@ Value corners_value(const std::vector<InfoAnswer::Corner>& corners) {
     }
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& [segment, angle] : corners)
-      list.push_back({{"t", std::to_string(segment)}, {"angle", json_of(angle)}});
-    return list;
+  const auto json = [](const InfoAnswer::Corner& x) -> JsonOutput {
+    return {{"t", std::to_string(x.segment)}, {"angle", json_of(x.angle)}};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&corners, json] { return array_of(corners, json); }};
 }
 
 /// Of a spline, or of a curve by itself that is not PH.

@@ -113,43 +113,38 @@ JsonOutput json_of(const SurdPolynomial& p) {
 }
 
 JsonOutput json_of(const LogSum& sum) {
-  JsonOutput argument = JsonOutput::array();
-  for (const Polynomial& c : sum.argument.coefficients()) argument.push_back(json_of(c));
-  return {{"index", json_of(sum.index)}, {"residue", json_of(sum.residue)}, {"argument", argument}};
+  return {{"index", json_of(sum.index)},
+          {"residue", json_of(sum.residue)},
+          {"argument", array_of(sum.argument.coefficients())}};
 }
 
 JsonOutput json_of(const Antiderivative& F) {
-  JsonOutput logs = JsonOutput::array();
-  for (const LogSum& sum : F.logs) logs.push_back(json_of(sum));
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},
-          {"logs", logs},
+          {"logs", array_of(F.logs)},
           {"form", form_name(F)},
           {"checked", true}};  // nothing unchecked leaves integrate()
 }
 
 JsonOutput json_of(const RealForm& F) {
-  JsonOutput logarithms = JsonOutput::array();
-  for (const auto& [factor, of, positive] : F.logarithms)
-    logarithms.push_back(
-        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"positive", positive}});
+  const auto logarithm = [](const auto& x) -> JsonOutput {
+    return {{"factor", json_of(x.factor)}, {"of", json_of(x.of)}, {"positive", x.positive}};
+  };
   JsonOutput arctangents = JsonOutput::array();
   for (const auto& [factor, of, radicand] : F.arctangents) {
     arctangents.push_back({{"factor", json_of(factor)}, {"of", json_of(of)}});
     if (!(radicand == Surd(1))) arctangents.back()["radicand"] = json_of(radicand);
   }
-  JsonOutput quotients = JsonOutput::array();
-  for (const auto& [factor, of, radicand] : F.quotients)
-    quotients.push_back(
-        {{"factor", json_of(factor)}, {"of", json_of(of)}, {"radicand", json_of(radicand)}});
-  JsonOutput others = JsonOutput::array();
-  for (const LogSum& sum : F.others) others.push_back(json_of(sum));
+  const auto quotient = [](const auto& x) -> JsonOutput {
+    return {
+        {"factor", json_of(x.factor)}, {"of", json_of(x.of)}, {"radicand", json_of(x.radicand)}};
+  };
   return {{"polynomial", json_of(F.polynomial)},
           {"rational", json_of(F.rational)},
-          {"logarithms", logarithms},
+          {"logarithms", array_of(F.logarithms, logarithm)},
           {"arctangents", arctangents},
-          {"log_quotients", quotients},
-          {"others", others},
+          {"log_quotients", array_of(F.quotients, quotient)},
+          {"others", array_of(F.others)},
           {"checked", true}};  // nothing unchecked leaves real_form()
 }
 
@@ -197,16 +192,12 @@ JsonOutput json_of(const Vector<Rational>& point) {
 }
 
 JsonOutput json_of(const RadicalForm& F) {
-  const auto texts = [](const std::vector<Radical>& list) {
-    JsonOutput result = JsonOutput::array();
-    for (const Radical& x : list) result.push_back(formatted(x, radical_notation::maple));
-    return result;
-  };
+  const auto text = [](const Radical& x) { return formatted(x, radical_notation::maple); };
   JsonOutput logs = JsonOutput::array();
   for (const RadicalSum& sum : F.logs) {
     JsonOutput log = json_of(sum.sum);
-    log["roots"] = texts(sum.roots);
-    log["residues"] = texts(sum.residues);
+    log["roots"] = array_of(sum.roots, text);
+    log["residues"] = array_of(sum.residues, text);
     log["real_roots"] = sum.real_roots;
     logs.push_back(std::move(log));
   }

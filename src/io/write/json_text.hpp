@@ -46,6 +46,18 @@ JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As a PathEnd; a text where it is rational.
 JsonOutput json_of(const RealAlgebraic& x);
 JsonOutput json_of(const Vector<Rational>& point);
+/// @{ An array of what `json` gives for each of the list, or of the json_of() each.
+template <class List, class Json>
+JsonOutput array_of(const List& list, const Json& json) {
+  JsonOutput array = JsonOutput::array();
+  for (const auto& x : list) array.push_back(json(x));
+  return array;
+}
+template <class List>
+JsonOutput array_of(const List& list) {
+  return array_of(list, [](const auto& x) { return json_of(x); });
+}
+/// @}
 /// null where it is undecided.
 JsonOutput json_if_known(const std::optional<bool>& x);
 /// A "note" for a file with a curve that stands for another.
@@ -54,7 +66,7 @@ void add_note(JsonOutput& json, const std::optional<Nearness>& near);
 JsonOutput json_of(const NamedCurve& named);
 /// The same of a rational curve, by control points or by polynomials over w.
 JsonOutput json_of(const RationalCurve& curve);
-/// A curve/1 or spline/1 file. Throws DomainError for a segment by formulas.
+/// A curve/1 or spline/1 file.
 JsonOutput json_of(const NamedPath& named);
 /// {"epsilon": "…", "distance": "…", "unrounded_distance": "…", "bits": …, "rmf_difference":
 /// "…"}, bounds; null where there is none of the last.

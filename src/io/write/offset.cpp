@@ -47,13 +47,10 @@ Value cusps_value(const Part& part) {
     if (list.empty()) list.emplace_back("none");
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& [t, turns_back] : part.cusps)
-      list.push_back({{"t", json_of(t)}, {"turns_back", turns_back}});
-    return list;
+  const auto json = [](const OffsetAnswer::Cusp& cusp) -> JsonOutput {
+    return {{"t", json_of(cusp.t)}, {"turns_back", cusp.turns_back}};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&part, json] { return array_of(part.cusps, json); }};
 }
 
 std::string in_words(const OffsetAnswer::Place& place, Notation notation) {
@@ -96,17 +93,16 @@ Value meetings_value(const Part& part) {
     return list;
   };
   const auto json = [&] {
-    JsonOutput places = JsonOutput::array();
-    for (const auto& [first, second, point] : part.meetings)
-      places.push_back({{"first", json_of(first)},
-                        {"second", json_of(second)},
-                        {"point", {json_of(point[0]), json_of(point[1])}}});
-    JsonOutput undecided = JsonOutput::array();
-    for (const auto& x : part.undecided) undecided.push_back(json_of(x));
-    return JsonOutput{{"complete", part.undecided.empty() && !part.is_cut_off},
-                      {"count", part.meetings.size()},
-                      {"places", places},
-                      {"undecided", undecided}};
+    const auto place = [](const OffsetAnswer::Meeting& x) -> JsonOutput {
+      return {{"first", json_of(x.first)},
+              {"second", json_of(x.second)},
+              {"point", {json_of(x.at[0]), json_of(x.at[1])}}};
+    };
+    return JsonOutput{
+        {"complete", part.undecided.empty() && !part.is_cut_off},
+        {"count", part.meetings.size()},
+        {"places", array_of(part.meetings, place)},
+        {"undecided", array_of(part.undecided, [](const auto& x) { return json_of(x); })}};
   };
   return {Value::Rows(rows), json};
 }
@@ -118,12 +114,9 @@ Value corners_value(const Part& part) {
       list.push_back(at(to_string(t), notation) + ", left as it is");
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const Rational& t : part.inner_corners) list.push_back(to_string(t));
-    return list;
-  };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&] {
+            return array_of(part.inner_corners, [](const Rational& t) { return to_string(t); });
+          }};
 }
 
 Value stretches_value(const Part& part) {
@@ -135,13 +128,10 @@ Value stretches_value(const Part& part) {
                                    in_words(to, notation), in_words(length, notation)));
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& [from, to, length] : part.stretches)
-      list.push_back({{"from", json_of(from)}, {"to", json_of(to)}, {"length", json_of(length)}});
-    return list;
+  const auto json = [](const OffsetAnswer::Stretch& x) -> JsonOutput {
+    return {{"from", json_of(x.from)}, {"to", json_of(x.to)}, {"length", json_of(x.length)}};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&part, json] { return array_of(part.stretches, json); }};
 }
 
 Value paths_value(const Part& part) {
@@ -150,12 +140,8 @@ Value paths_value(const Part& part) {
     for (const Path& path : part.paths) list.push_back(heading(NamedPath("", path)));
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const Path& path : part.paths) list.push_back(json_of(NamedPath("", path)));
-    return list;
-  };
-  return {Value::Rows(rows), json};
+  const auto json = [](const Path& path) { return json_of(NamedPath("", path)); };
+  return {Value::Rows(rows), [&part, json] { return array_of(part.paths, json); }};
 }
 
 std::string side(const Part& part) {
@@ -193,13 +179,12 @@ std::string to_text(const OffsetAnswer& answer) {
 }
 
 std::string to_json(const OffsetAnswer& answer) {
-  JsonOutput offsets = JsonOutput::array();
-  for (const Part& part : answer.offsets) offsets.push_back(json_of(fields(part)));
   JsonOutput json = {{"phrame", "offset/1"},
                      {"name", answer.path.name},
                      {"closed", answer.is_closed},
                      {"join", name_of(answer.join)},
-                     {"offsets", offsets}};
+                     {"offsets", array_of(answer.offsets,
+                                          [](const Part& part) { return json_of(fields(part)); })}};
   add_nearness(json, answer.path.near);
   return pretty(json);
 }

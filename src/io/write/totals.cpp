@@ -105,12 +105,7 @@ Value sign_changes(const CurveTotal& total) {
     return places.empty() || total.rate.is_zero() ? std::vector<std::string>()
                                                   : std::vector{places};
   };
-  const auto json = [&] {
-    JsonOutput turns = JsonOutput::array();
-    for (const RealAlgebraic& turn : total.sign_changes) turns.push_back(phrame::json_of(turn));
-    return turns;
-  };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&] { return array_of(total.sign_changes); }};
 }
 
 /// The integrand and its antiderivative.

@@ -72,13 +72,13 @@ Field coefficients_field(const TwistPieceAnswer& piece) {
     };
     parts.push_back({"", fmt::format("$w_{{{}}}$", k), {Value::Words(words), {}}});
   }
-  const auto json = [&piece] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& [re, im] : piece.coefficients)
-      list.push_back({{"re", phrame::json_of(re)}, {"im", phrame::json_of(im)}});
-    return list;
+  const auto json = [](const auto& w) -> JsonOutput {
+    return {{"re", phrame::json_of(w.first)}, {"im", phrame::json_of(w.second)}};
   };
-  return {"w", "", {Value::Rows(), json}, parts};
+  return {"w",
+          "",
+          {Value::Rows(), [&piece, json] { return array_of(piece.coefficients, json); }},
+          parts};
 }
 
 /// Is w proved to be the best, or why not? No words, where there are none for that.
@@ -138,8 +138,8 @@ Field turns_field(const TwistPieceAnswer& piece) {
 }
 
 Fields fields(const TwistPieceAnswer& piece, const Unit& unit) {
-  JsonOutput inflections = JsonOutput::array();
-  for (const Decimal& t : piece.inflections) inflections.push_back(t.value);
+  const JsonOutput inflections =
+      array_of(piece.inflections, [](const Decimal& t) { return t.value; });
   const Field gamma{"gamma", "$γ$, of $w(1) = γ \\exp(iθ(1)/2)$", compared_value(piece.gamma)};
   const Field optimum = optimum_field(piece);
   const Field other = other_field(piece, unit);
@@ -224,10 +224,9 @@ Fields fields(const TwistFrameAnswer& answer) {
   const bool is_one = answer.pieces.size() == 1;  // of which the words say it already
   const Unit unit = unit_of(answer);
   const auto pieces = [&answer, unit] {
-    JsonOutput list = JsonOutput::array();
-    for (const TwistPieceAnswer& piece : answer.pieces)
-      list.push_back(json_of(fields(piece, unit)));
-    return list;
+    return array_of(answer.pieces, [&unit](const TwistPieceAnswer& piece) {
+      return json_of(fields(piece, unit));
+    });
   };
   const auto monotone = [&answer](Notation) { return in_words(answer.monotone); };
   return {{"rational", "", {Value::Rows(), pieces}},

@@ -60,14 +60,9 @@ Fields plane_fields(const WronskianAnswer& answer) {
   const auto list = [&answer] {
     JsonOutput planes = JsonOutput::array();
     for (const auto& [basis, value, critical_points, is_tied] : answer.real) {
-      const auto functions = [](const std::vector<RationalFunction>& coefficients) {
-        JsonOutput json = JsonOutput::array();
-        for (const RationalFunction& c : coefficients) json.push_back(json_of(c));
-        return json;
-      };
       JsonOutput plane = {{"parameter", json_of(basis.parameter)},
-                          {"a", functions(basis.a)},
-                          {"b", functions(basis.b)},
+                          {"a", array_of(basis.a)},
+                          {"b", array_of(basis.b)},
                           {"objective", size_value(value, "").json()}};
       plane["critical_points"] = critical_points ? JsonOutput(*critical_points) : JsonOutput();
       plane["tied"] = is_tied;
@@ -130,17 +125,12 @@ Fields system_fields(const WronskianAnswer& answer) {
 /// "a₀", … in rows; a list in JSON.
 Field decimals_field(const std::string& key, const std::vector<Decimal>& numbers) {
   Fields parts;
-  JsonOutput list = JsonOutput::array();
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    list.push_back(json_of(numbers[k]));
+  for (std::size_t k = 0; k < numbers.size(); ++k)
     parts.push_back({"", fmt::format("  ${}_{{{}}}$", key, k), compared_value(numbers[k])});
-  }
-  return {key, "", {Value::Rows(), [list] { return list; }}, parts};
+  return {key, "", {Value::Rows(), [&numbers] { return array_of(numbers); }}, parts};
 }
 
 Fields best_fields(const WronskianAnswer& answer) {
-  JsonOutput form = JsonOutput::array();
-  for (const Decimal& x : answer.form) form.push_back(json_of(x));
   Fields fields{json_field("best", answer.best)};
   if (const auto& zero = answer.real[answer.best].basis.zero)
     fields.push_back({"common_zero",
@@ -153,7 +143,7 @@ Fields best_fields(const WronskianAnswer& answer) {
                        }),
                        [zero] { return to_string(*zero); }}});
   for (Field& field : Fields{{"multiplier", "multiplier $λ$", compared_value(answer.multiplier)},
-                             json_field("form", form),
+                             json_field("form", array_of(answer.form)),
                              decimals_field("a", answer.a),
                              decimals_field("b", answer.b)})
     fields.push_back(std::move(field));
