@@ -11,8 +11,6 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/curve/scale.hpp"
-#include "phrame/ph/curve/vector.hpp"
 
 // With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
 
@@ -84,27 +82,6 @@ double approximate_energy(std::span<const Quaternion<double>> a) {
 
 double approximate_turning(std::span<const Quaternion<double>> a) {
   return integral(a, [](double, double sigma, double gg) { return 2 * std::sqrt(gg) / sigma; });
-}
-
-// With A times √s and f times c, ∫κ² ds is sc times as small.
-double approximate_energy(const Curve& curve) {
-  const auto a = to_bernstein(curve.preimage(), preimage_degree(curve));
-  const auto f = to_bernstein(curve.multiplier(), curve.multiplier().degree());
-  Rational size;
-  for (const RationalQuaternion& b : a) size = std::max(size, norm(b));
-  const Rational s = scale_for_doubles(size);
-  const Rational root = *square_root(s);
-  Rational greatest;
-  for (const Rational& b : f) greatest = std::max(greatest, Rational(abs(b)));
-  const Rational c = scale_for_doubles(greatest);
-  std::vector<Quaternion<double>> scaled_a;
-  for (const RationalQuaternion& b : a) {
-    const auto scaled = [&](const Rational& x) { return static_cast<double>(root * x); };
-    scaled_a.push_back({scaled(b.u), scaled(b.v), scaled(b.p), scaled(b.q)});
-  }
-  std::vector<double> scaled_f;
-  for (const Rational& b : f) scaled_f.push_back(static_cast<double>(c * b));
-  return approximate_energy(scaled_a, scaled_f) * static_cast<double>(s * c);
 }
 
 namespace {

@@ -21,8 +21,6 @@ double approximate_energy(std::span<const Quaternion<double>> a);
 /// ∫|κ| ds likewise, the angle by which the tangent turns. It is the same for every f.
 double approximate_turning(std::span<const Quaternion<double>> a);
 
-/// ∫κ² ds of a curve of any size.
-double approximate_energy(const Curve& curve);
 /// A ball around ∫κ² ds, of at least 26 bits where f does not change its sign; no value where it is
 /// infinite.
 std::optional<RealBall> proved_energy(const Curve& curve);

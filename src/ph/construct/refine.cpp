@@ -65,19 +65,4 @@ RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& de
   return best;
 }
 
-RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
-                         const JacobianRows& jacobian, long bits) {
-  constexpr double nothing = 1e-10;
-  if (jacobian.empty() || parameters.empty()) {
-    round_all(parameters, bits);
-    std::vector<Rational> lacking = defect(parameters);
-    return {std::move(parameters), std::move(lacking)};
-  }
-  return refine(std::move(parameters), defect, least_change(jacobian, nothing), bits);
-}
-
-bool is_within(const RefinedParameters& result, const Rational& tolerance) {
-  return largest_of(result.defect) <= tolerance;
-}
-
 }  // namespace phrame

@@ -38,11 +38,6 @@ struct RefinedParameters {
 RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
                          const ParameterStep& step, long bits);
 
-/// The same with the least change that a step can be, J⁺ being the pseudo-inverse of J: there may
-/// be more parameters than conditions.
-RefinedParameters refine(std::vector<Rational> parameters, const ExactDefect& defect,
-                         const JacobianRows& jacobian, long bits);
-
 /// The parameters of a segment as multiples of 2^−bits, with more bits each time until accept(x,
 /// bits) has a value: they are refined to some bits more than that and then rounded, so that the
 /// way there does not decide the last ones. `defect_for(bits)` is what is lacking.
@@ -61,8 +56,5 @@ auto rounded_solution(std::vector<Rational> parameters, const DefectFor& defect_
   }
   return std::nullopt;
 }
-
-/// Is every |F| ≤ `tolerance`?
-bool is_within(const RefinedParameters& result, const Rational& tolerance);
 
 }  // namespace phrame

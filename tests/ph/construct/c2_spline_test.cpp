@@ -6,10 +6,10 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/arc_length.hpp"
-#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_spline.hpp"
 #include "phrame/ph/curve/scale.hpp"
+#include "support/energy.hpp"
 #include "support/hermite.hpp"
 
 namespace c2_spline_test {
@@ -437,7 +437,7 @@ TEST_CASE("c2_spline: all is on one line, with a way back") {
 TEST_CASE("c2_spline: of a loop it is the quintic of least energy, with both tangents the same") {
   const HermiteSpline loop = test::one_segment({0, 0, 0}, {1, 0, 0}, {1, 0, 0});
   const auto energy = [](const Construction& found) {
-    return approximate_energy(found.path.segments().front());
+    return test::energy_of(found.path.segments().front());
   };
   CHECK(energy(c2(loop)) ==
         doctest::Approx(energy(quintic_spline(loop, QuinticSelection::automatic,

@@ -7,7 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/path_totals.hpp"
-#include "phrame/ph/construct/energy.hpp"
+#include "support/energy.hpp"
 #include "support/random.hpp"
 
 namespace plane_quintics_test {
@@ -65,7 +65,7 @@ TEST_CASE("plane quintics: equal derivatives at both ends have four, two of them
     curves.push_back(found.path.segments().front());
     CHECK(hodograph(curves.back())[2] == Polynomial());
     CHECK(round_to_double(arc_length(curves.back())(1)) == doctest::Approx(1.43965716922175));
-    CHECK(approximate_energy(curves.back()) == doctest::Approx(117.875653899642));
+    CHECK(test::energy_of(curves.back()) == doctest::Approx(117.875653899642));
     CHECK(rotation_index(found) == doctest::Approx(1));
   }
   CHECK(curves.front() != curves.back());

@@ -7,8 +7,8 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/along/totals.hpp"
-#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/preimage.hpp"
+#include "support/energy.hpp"
 #include "support/hermite.hpp"
 
 namespace quintic_spline_test {
@@ -290,7 +290,7 @@ TEST_CASE("quintic splines: closed ones end at their start, with the derivative 
     }
     // In Python: 7.841.
     double energy = 0;
-    for (const Curve& curve : segments) energy += approximate_energy(curve);
+    for (const Curve& curve : segments) energy += test::energy_of(curve);
     CHECK(energy == doctest::Approx(7.841).epsilon(1e-3));
   }
 }
@@ -357,7 +357,7 @@ TEST_CASE("quintic spline: points on straight lines are met exactly, too") {
         quintic_spline(data, QuinticSelection::automatic, allowed, PointRule::exact);
     const auto& segments = found.path.segments();
     double energy = 0;
-    for (const Curve& curve : segments) energy += approximate_energy(curve);
+    for (const Curve& curve : segments) energy += test::energy_of(curve);
     CHECK(energy < 1e-10);
     CHECK(evaluate(position(segments.back()), 1) == data.points.back());
   }

@@ -1,10 +1,10 @@
 #include "phrame/ph/construct/rmf_plane.hpp"
 
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "support/energy.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -60,10 +60,10 @@ TEST_CASE("between parallel tangents: of the plane quintics it is that of least 
     for (long k = 1; k <= plane_solutions; ++k) {
       const PhPath path =
           plane_quintics(data, k, {power_of_two(-40), power_of_two(-40)}, PointRule::near).path;
-      least = std::min(least, approximate_energy(path.segments().front()));
+      least = std::min(least, test::energy_of(path.segments().front()));
     }
     const ExactFit found = plane_between({{1, 0, 0, 0}, 1, last}, step, 60);
-    CHECK(approximate_energy(curve_of(found, {})) == doctest::Approx(least).epsilon(1e-6));
+    CHECK(test::energy_of(curve_of(found, {})) == doctest::Approx(least).epsilon(1e-6));
   });
 }
 

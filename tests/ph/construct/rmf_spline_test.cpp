@@ -6,10 +6,10 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
-#include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
+#include "support/energy.hpp"
 #include "support/hermite.hpp"
 
 namespace rmf_spline_test {
@@ -39,7 +39,7 @@ long longest_number(const Curve& curve) {
 
 double energy_of(const Construction& found) {
   double sum = 0;
-  for (const Curve& curve : found.path.segments()) sum += approximate_energy(curve);
+  for (const Curve& curve : found.path.segments()) sum += test::energy_of(curve);
   return sum;
 }
 
