@@ -22,7 +22,7 @@ MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
 OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
           "squared_curvature", "torsion_function", "certify")
-OF_PH = ("json", "erf_twist")
+OF_PH = ("erf_twist",)
 
 
 METHODS = ("certify", "json")
@@ -61,10 +61,23 @@ def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
             asked(SPLINE, name)
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_path_of_any_kind_is_written_as_a_file(kind):
+    for path in KINDS[kind]:
+        again = phrame.parse(path.json())
+        assert again == path and again.name == path.name and again.kind == path.kind
+
+
 def test_frames_that_only_ph_curves_have():
-    for ask in (lambda: MIXED.angle("erf"), lambda: MIXED.frames([0], kind="erf"), lambda: MIXED.compile(frame="erf")):
-        with pytest.raises(phrame.InputError, match=r'^(frame|kind): "erf" is of PH curves, and segments\[1\] is no Pyth'):
+    for ask in (lambda: MIXED.angle("erf"), lambda: MIXED.compile(frame="erf"), lambda: CUBIC.frames([0], kind="erf")):
+        with pytest.raises(phrame.InputError, match=r'^(frame|kind): "erf" is of PH curves, and segments\[[01]\] is no Pyth'):
             ask()
+    # In a path of several kinds PH segments keep theirs.
+    at = [0, 0.25, "3/4"]
+    assert (MIXED.frames(at, kind="erf") == LINE.frames(at, kind="erf")).all()
+    assert (MIXED.quaternions(at, kind="erf") == LINE.quaternions(at, kind="erf")).all()
+    with pytest.raises(phrame.DomainError, match="segment 2 is no Pythagorean-hodograph curve"):
+        MIXED.frames([0.5, 1.5], kind="erf")
     for ask in (lambda: QUINTIC.angle("erf", up=[0, 0, 1]), lambda: QUINTIC.frames([0], kind="erf", up=[0, 0, 1]), lambda: CUBIC.angle("frenet", up=[0, 0, 1])):
         with pytest.raises(phrame.InputError, match="^up: "):
             ask()

@@ -212,8 +212,10 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
   const NamedPath named = options.curve.read_any_path();
-  const auto up =
-      options.up.chosen(named.path, has_frame(chosen, TabulatedFrame::up) || options.start.is_up());
+  const bool is_to_up = has_frame(chosen, TabulatedFrame::up) || options.start.is_up();
+  if (options.up.vector && !is_to_up && has_frame(chosen, TabulatedFrame::mtf))
+    throw InputError("--up", "mtf and mtf-exact are at angles to the Euler-Rodrigues frame here");
+  const auto up = options.up.chosen(named.path, is_to_up);
   return table_of(named, chosen, by, options, angle_to(up, named.path));
 }
 

@@ -1,5 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "phrame/answer/identification.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/curve_file.hpp"
@@ -42,13 +47,28 @@ Printer<Answer> printer(const std::string& name, Printer<Answer> as_curve) {
       {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", as_curve}});
 }
 
-void run_for_spline(const IdentifyOptions& options, const std::string& text,
-                    const Rational& epsilon) {
+/// The spline, or the one that stands for it. Throws AnswerNo where there is none.
+PathIdentification spline_of(const std::string& text, const std::optional<Rational>& epsilon,
+                             const CurveLimits& limits) {
+  if (epsilon) {
+    auto found = read_path_near(text, *epsilon, limits);
+    if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, *epsilon)};
+    return {std::get<NamedPhPath>(std::move(found))};
+  }
+  const NamedPath named = read_any_path(text, limits);
+  const auto& segments = named.path.segments();
+  const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
+  if (other != segments.end())
+    throw AnswerNo{fmt::format("segment {} is no PH curve", other - segments.begin() + 1)};
+  return {as_ph(named).value()};
+}
+
+void run_for_spline(const IdentifyOptions& options, const std::string& text) {
   const auto print = printer<PathIdentification>(options.print, to_path_file);
-  const auto found = at_place(name_of_file(options.curve.path), ":",
-                              [&] { return read_path_near(text, epsilon, options.curve.limits); });
-  if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, epsilon)};
-  options.length.write(options.curve.output, print({std::get<NamedPhPath>(found)}));
+  const PathIdentification found = at_place(name_of_file(options.curve.path), ":", [&] {
+    return spline_of(text, options.curve.epsilon(), options.curve.limits);
+  });
+  options.length.write(options.curve.output, print(found));
 }
 
 void run(const IdentifyOptions& options) {
@@ -58,11 +78,11 @@ void run(const IdentifyOptions& options) {
   const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
     options.curve.reading.refuse_skipping("one curve by itself");
     options.curve.reading.refuse_picking("one curve by itself");
-    return epsilon && is_spline_file(text)
+    return is_spline_file(text)
                ? std::nullopt
                : std::optional(answer(read_hodograph(text, options.curve.limits), epsilon));
   });
-  if (!found) return run_for_spline(options, text, *epsilon);
+  if (!found) return run_for_spline(options, text);
   options.length.write(options.curve.output, print(*found));
   if (!curve_of(*found)) throw AnswerNo{};
 }
@@ -83,8 +103,8 @@ void add_identify(Program& program) {
       "with\n"
       "--near EPS there is none found within EPS, the distance of control points. Where one is, "
       "it\n"
-      "is told how near it is, proved, and by how much rotation-minimizing frames may differ; so\n"
-      "of splines.\n"
+      "is told how near it is, proved, and by how much rotation-minimizing frames may differ. A\n"
+      "spline is PH where all of its segments are.\n"
       "Examples:\n"
       "  phrame identify bezier.json\n"
       "  phrame identify doubles.json --near 1e-14\n"

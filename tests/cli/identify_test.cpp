@@ -215,6 +215,7 @@ TEST_CASE("--near: splines get exact joints") {
   const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
   CHECK(angle.status == 0);
   CHECK(contains(angle.err, "in its place a PH spline at most "));
+  check_failure(here.run("identify spline.json"), 1, "segment 1 is no PH curve");
   const Run text = here.run("identify spline.json --near 1e-14");
   check_success(text);
   CHECK(contains(text.out, "two: PH spline of 2 segments"));
@@ -226,6 +227,10 @@ TEST_CASE("--near: splines get exact joints") {
   CHECK(certificate.status == 2);
   CHECK(contains(certificate.err, "one curve is wanted"));
   CHECK(here.run("identify spline.json --near 1e-14 --print curve -o ph.json").status == 0);
+  // What it wrote is PH as it is.
+  CHECK(contains(here.run("identify ph.json").out, "Checked: all segments are as they were given"));
+  CHECK(here.run("identify ph.json --print curve").out ==
+        here.run("identify ph.json --near 1e-14 --print curve").out);
   check_success(here.run("angle ph.json --at 2"));
   CHECK(here.run("angle ph.json --at 2").out == angle.out);
 }
