@@ -1,5 +1,6 @@
 """One class for a path of segments of every kind, and one for its angle."""
 
+import json
 import math
 import pathlib
 import pickle
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 
 import phrame
-from common import QUINTIC
+from common import QUINTIC, ROOT
 
 SPLINE = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "spline")
 LINE = phrame.Curve([1], [0], [0], [0])
@@ -66,6 +67,16 @@ def test_a_path_of_any_kind_is_written_as_a_file(kind):
     for path in KINDS[kind]:
         again = phrame.parse(path.json())
         assert again == path and again.name == path.name and again.kind == path.kind
+
+
+def test_files_of_paths_are_valid_by_the_schema():
+    jsonschema, referencing = pytest.importorskip("jsonschema"), pytest.importorskip("referencing")
+    schemas = {file.name: json.loads(file.read_text()) for file in (ROOT / "docs/schema").glob("*.json")}
+    registry = referencing.Registry().with_resources((name, referencing.Resource.from_contents(schema)) for name, schema in schemas.items())
+    validator = jsonschema.Draft202012Validator({"$ref": "path.json"}, registry=registry)
+    for paths in KINDS.values():
+        for path in paths:
+            validator.validate(json.loads(path.json()))
 
 
 def test_frames_that_only_ph_curves_have():
