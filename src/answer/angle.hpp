@@ -8,19 +8,20 @@
 
 namespace phrame {
 
-/// Which angle is the rotation-minimizing frame at?
+/// Asks for the angle θ of the rotation-minimizing frame to a reference frame.
 struct AngleQuery {
-  /// The frame that θ is measured from; as PathAngle(path) has it if there is none.
+  /// The frame that θ is measured from. Without it, the one that PathAngle(path) takes.
   std::optional<Reference> reference = {};
-  std::optional<Vector<Rational>> up = {};  ///< v, where it is the frame of this vector
+  std::optional<Vector<Rational>> up = {};  ///< v, where θ is measured from the frame of v
   FrameStart start = Angle();               ///< θ(0), or where f₂ is at t = 0
   std::vector<Rational> at = {};            ///< the t where θ is asked for
   long digits = 17;                         ///< of its values
   Route route = Route::automatic;           ///< the way to values
-  bool wants_formula = true;                ///< of θ, on each PH segment
+  bool wants_formula = true;                ///< is the formula of θ on each PH segment wanted?
   Form form = Form::automatic;              ///< how logarithms are written
-  Style style = Style::logarithms;          ///< in which functions θ is written
-  /// Where they are listed: so many poles with their residues, and more are counted.
+  Style style = Style::logarithms;          ///< the functions that θ is written in
+  /// Poles and residues are listed, at most so many; of more only the number is given. Without a
+  /// value none are listed.
   std::optional<long> most_poles = {};
 };
 
@@ -44,19 +45,20 @@ struct AngleValue {
 struct AngleAnswer {
   NamedPath path;                      ///< as asked
   Reference reference;                 ///< the frame that θ is measured from
-  std::optional<Vector<Rational>> up;  ///< v, where that is the frame of one
+  std::optional<Vector<Rational>> up;  ///< v, where θ is measured from the frame of v
   FrameStart start;                    ///< as asked
-  /// θ(0), exactly where that is known; of a vector in (−π, π].
+  /// θ(0), exact where that is known. Where a frame starts at a vector it is in (−π, π].
   std::variant<FrameAngle, Decimal> start_angle;
   bool is_zero;      ///< is θ − θ(0) = 0 all along?
   bool is_straight;  ///< a line, where any frame that does not turn is the right one?
-  /// Of the segments, if they are wanted: none of one that is no PH curve.
+  /// For each segment, if formulas are wanted: a PH segment has one, others have none.
   std::vector<std::optional<AngleFormula>> formulas;
-  std::vector<AngleValue> values;   ///< at the t asked for, in their order
-  long digits;                      ///< of the values
-  std::optional<Decimal> total;     ///< θ(end) − θ(0), but of a PH curve, which goes on
-  std::optional<Decimal> holonomy;  ///< of a closed path, but to the Frenet frame
-  /// Why a number that a closed path has is not there: it is undecided.
+  std::vector<AngleValue> values;  ///< at the t asked for, in their order
+  long digits;                     ///< of the values
+  std::optional<Decimal> total;    ///< θ(end) − θ(0); not of a single PH curve, which goes on
+  /// Of a closed path, unless θ is measured from the Frenet frame.
+  std::optional<Decimal> holonomy;
+  /// Why the holonomy of a closed path is missing: it is undecided.
   std::string no_holonomy;
 };
 

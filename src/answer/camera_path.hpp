@@ -6,21 +6,23 @@
 
 namespace phrame {
 
-/// Where a camera is and how it is turned at some times: it looks along its −z axis, which is e₁;
-/// its y axis, up in the picture, is the first vector f₂ of the frame, and x, to the right, f₃.
+/// The places and rotations of a camera at some times. It looks along its −z axis, which is e₁; its
+/// y axis, up in the picture, is the first vector f₂ of the frame, and its x axis, to the right, is
+/// f₃.
 struct CameraPath {
   std::vector<double> times;                     ///< in seconds from 0, ascending
   std::vector<Vector<double>> places;            ///< r
   std::vector<std::array<double, 4>> rotations;  ///< unit quaternions (x, y, z, w), as of a table
-  Vector<double> origin = {};                    ///< near the places: floats hold r from there well
+  Vector<double> origin = {};  ///< near the places, so that floats hold r − origin well
 };
 
-/// What the table of a camera path is asked for: this frame, with a camera's quaternions.
+/// The columns of the table that a camera path is made of: this frame, with quaternions of a
+/// camera.
 PHRAME_API TableColumns camera_columns(TabulatedFrame frame);
 
-/// The camera path of a table with such columns, with the numbers of its rows for times, less the
-/// first; with a `duration` > 0, times are those in proportion that end there. Throws InputError
-/// without a place for fewer than two rows, for numbers that do not ascend in the precision of
+/// Makes the camera path of a table with those columns. `numbers` belong to the rows; the times are
+/// these numbers less the first of them, scaled to end at `duration` where there is one, which is >
+/// 0. Throws InputError without a place for fewer than two rows, for numbers that do not ascend as
 /// floats, which most programs have for times, and for places that no float is near to.
 PHRAME_API CameraPath camera_path(const FrameTable& table, const std::vector<Rational>& numbers,
                                   const std::optional<Rational>& duration);

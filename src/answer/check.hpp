@@ -5,7 +5,7 @@
 
 namespace phrame {
 
-/// How far are somebody's frames from the rotation-minimizing one?
+/// Asks how far given frames are from the rotation-minimizing one.
 struct CheckQuery {
   std::vector<GivenFrame> frames;  ///< at least one
   FrameCheckOptions options = {};  ///< what they are compared with, and the tolerance

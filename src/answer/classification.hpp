@@ -4,10 +4,10 @@
 
 namespace phrame {
 
-/// Of which kinds is a path, and are its segments?
+/// Asks which kinds of PH curves a path and its segments are.
 struct ClassificationQuery {};
 
-/// Of which kinds a path and its segments are.
+/// The kinds that a path and its segments are of.
 struct ClassificationAnswer {
   NamedPath path;                     ///< as asked
   PathClassification classification;  ///< with witnesses

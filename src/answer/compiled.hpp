@@ -10,14 +10,15 @@ namespace phrame {
 
 class PiecewisePolynomial;
 
-/// The angle and the frame as polynomials with a proof, docs/compiled.md.
+/// Asks for the angle and the frame as polynomials with proved errors: docs/compiled.md.
 struct CompiledQuery {
-  /// The frame that θ is measured from; as PathAngle(path) has it if there is none.
+  /// The frame that θ is measured from. Without it, the one that PathAngle(path) takes.
   std::optional<Reference> reference = {};
   std::optional<Vector<Rational>> up = {};  ///< v, where it is the frame of this vector
   FrameStart start = {};                    ///< θ(0), or where f₂ is at t = 0
-  double from = 0;  ///< of a PH curve by itself, not to the frame of v; others are compiled whole
-  double to = 1;    ///< > from
+  /// The least t, of a single PH curve by erf or frenet; others are compiled from start to end.
+  double from = 0;
+  double to = 1;  ///< the greatest t, likewise; > from
 };
 
 /// Polynomials for a whole path: to_c_header() writes them.

@@ -15,7 +15,7 @@ enum class CurveKind { quintic, planar, cubic, helical, rrmf, rmf, c2, c2_hermit
 
 /// What is equal at the joints of a spline, exactly.
 enum class Continuity {
-  g1,  ///< position and tangent; of derivatives the data are then the directions only
+  g1,  ///< position and tangent: of given derivatives only the directions count
   c1,  ///< position and derivative by the parameter
   c2   ///< the second derivative as well
 };
@@ -27,22 +27,23 @@ struct NamedKind {
   std::string_view what;  ///< "C1 splines of PH quintics"
   Continuity continuity;  ///< of its splines
   long solutions = 1;     ///< how many curves there are at most, of which one is asked for
-  /// What holds exactly of every curve of this kind, beside being PH; it has been checked of the
-  /// one that is answered. May be empty.
+  /// What every curve of this kind is, exactly, beside being PH. It has been checked for the curve
+  /// that is answered. May be empty.
   std::string_view law = {};
   bool is_open = false;  ///< its splines cannot be closed
-  /// Are derivatives wanted at the ends of open curves only, those between being a consequence?
+  /// Are derivatives given at the ends of open curves only? Those between then follow from the
+  /// points.
   bool is_through_points = false;
 };
 PHRAME_API const std::vector<NamedKind>& curve_kinds();  ///< all kinds
 
-/// Which exact PH curve meets these data, as nearly as asked?
+/// Asks for an exact PH curve near given points and derivatives.
 struct ConstructQuery {
   CurveKind kind = CurveKind::quintic;                 ///< what the curve is made of
   QuinticChoice choice = QuinticSelection::automatic;  ///< of the kind quintic
-  long solution = 1;  ///< of the kinds with several: from 1, the best one, to their number
-  /// How far the curve may be from the points, beside their extent, and its derivatives from those
-  /// wanted, beside the greatest of them. > 0 and < 1.
+  long solution = 1;  ///< which of several solutions: 1 is the best one
+  /// The tolerance, between 0 and 1: of the distance from the points as a share of their extent,
+  /// and of the derivatives as a share of the greatest of them.
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
   PointRule points = PointRule::near;  ///< how are the points met?
   bool is_closed = false;              ///< does the curve end where it starts?
@@ -50,7 +51,7 @@ struct ConstructQuery {
 
 /// An exact PH curve near its data, and how near it is.
 struct ConstructionAnswer {
-  /// What is said of one segment.
+  /// The numbers of one segment.
   struct Segment {
     std::optional<FreeAngles> angles;  ///< of quintics
     Rational length;                   ///< exact
@@ -65,7 +66,7 @@ struct ConstructionAnswer {
   /// @}
   HermiteSpline data;                ///< what was wanted
   std::vector<Rational> parameters;  ///< of the joints and the ends
-  /// @{ Where those come from that were not given.
+  /// @{ Where derivatives and parameters come from that were not given.
   DerivativeSource derivatives_from;
   ParameterSource parameters_from;
   /// @}

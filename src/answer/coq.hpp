@@ -4,10 +4,11 @@
 
 namespace phrame {
 
-/// What is a proof assistant to prove of a value of the angle, and how?
+/// Asks for a proof of a value of the angle that Coq checks.
 struct CoqQuery {
-  Rational t = 1;    ///< > 0, where the angle is asked for
-  long digits = 20;  ///< of the value; one more where it is rational, and a tie to these
+  Rational t = 1;  ///< > 0, where the angle is asked for
+  /// Of the value; one digit more where the value is rational and these digits are a tie.
+  long digits = 20;
 };
 
 /// |θ_ERF(t) − theta| ≤ half_unit: what "correctly rounded" says.
@@ -15,10 +16,11 @@ struct CoqAnswer {
   Curve curve;         ///< as asked
   Rational t;          ///< likewise
   Decimal theta;       ///< correctly rounded
-  Rational half_unit;  ///< half of one in the place of its last digit
-  /// Of CoqInterval's tactic `integral`, by the distance of the poles from [0, t].
+  Rational half_unit;  ///< half a unit of the last digit of theta
+  /// Arguments of the tactic `integral` of CoqInterval, chosen by the digits and by how near the
+  /// poles are to [0, t].
   struct Effort {
-    /// @{ What that tactic takes by this name.
+    /// @{ The argument that the tactic knows by this name.
     long precision;
     long degree;
     long fuel;

@@ -5,10 +5,10 @@
 
 namespace phrame {
 
-/// Throws DomainError where there is an end normal of a closed path.
+/// Throws DomainError where the path is closed and has an end normal nevertheless.
 void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_closed);
 
-/// As minimal_twist() has it: none of a closed path.
+/// The end as minimal_twist() takes it: no value for a closed path, which has no end normal.
 std::optional<FrameStart> end_of_frame(const std::optional<Vector<Rational>>& end_normal);
 
 }  // namespace phrame

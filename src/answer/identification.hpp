@@ -8,27 +8,28 @@
 
 namespace phrame {
 
-/// Is a curve Pythagorean, and what is its preimage?
+/// Whether a curve is PH, and its preimage.
 struct IdentificationAnswer {
-  /// What is near a curve that is not Pythagorean.
+  /// The PH curve that was found near a curve that is not PH.
   struct Near {
     Rational epsilon;                        ///< as asked
-    std::variant<NearCurve, NotNear> found;  ///< the curve, or how far away the nearest one is
+    std::variant<NearCurve, NotNear> found;  ///< the PH curve, or how far away the nearest one is
   };
 
-  std::string name;                                         ///< of the curve
-  std::variant<Curve, NotPythagorean> result;               ///< the curve, or why it is none
-  std::optional<Near> near = std::nullopt;                  ///< where it was asked for
-  std::optional<NearSuggestion> suggestion = std::nullopt;  ///< where it was not, but might be
+  std::string name;                            ///< of the curve
+  std::variant<Curve, NotPythagorean> result;  ///< the PH curve, or why the curve is not PH
+  std::optional<Near> near = std::nullopt;     ///< where it was asked for
+  /// A hint where no ε was given and a PH curve is near.
+  std::optional<NearSuggestion> suggestion = std::nullopt;
 };
 
-/// A PH spline, or what stands for one that is not.
+/// A PH spline: the given one, or the one that stands for a spline that is not PH.
 struct PathIdentification {
-  NamedPhPath path;  ///< near to that, or itself
+  NamedPhPath path;  ///< the spline
 };
 
-/// Where the curve is not Pythagorean, but ε is given, what is that near to it. Throws as
-/// identify().
+/// Identifies the curve. Where it is not PH and ε is given, a PH curve at most ε away is looked
+/// for. Throws as identify().
 PHRAME_API IdentificationAnswer answer(const NamedHodograph& query,
                                        const std::optional<Rational>& epsilon = std::nullopt);
 

@@ -5,7 +5,7 @@
 
 namespace phrame {
 
-/// What are the length, the twist and the energy of a path?
+/// Asks for the length, the twist, the energy and other numbers of a path.
 struct InfoQuery {
   long digits = 17;  ///< of all numbers
 };
@@ -17,7 +17,8 @@ struct InfoAnswer {
     std::optional<Rational> exact = std::nullopt;  ///< where it is seen to be rational
     Decimal rounded = {};                          ///< to the digits asked for
   };
-  /// A break of the tangent, at the start of a segment: of the first where a closed path ends.
+  /// A break of the tangent at the start of a segment. Segment 0 stands for the joint where a
+  /// closed path ends.
   struct Corner {
     std::size_t segment;  ///< 0, 1, …
     Decimal angle;        ///< between the tangents
@@ -25,18 +26,18 @@ struct InfoAnswer {
   NamedPath path;               ///< as asked
   Length length;                ///< ∫ |r′| dt
   std::vector<Length> lengths;  ///< of the segments
-  /// v, nowhere along the tangent, where the path is not PH.
+  /// v, which is nowhere along the tangent, where the path is not PH.
   std::optional<Vector<Rational>> up;
-  /// ∫ 2h/σ dt, of the continuous Euler–Rodrigues frame of a PH path, ∫ e₂′·e₃ dt of the frame of v
-  /// of others.
+  /// How far a reference frame turns about the tangent: ∫ 2h/σ dt of the Euler–Rodrigues frame of a
+  /// PH path, ∫ e₂′·e₃ dt of the frame of v of any other path.
   Decimal twist;
   std::optional<Decimal> bending_energy;   ///< ∫ κ² ds; no value where it is infinite
   bool is_straight;                        ///< is it a straight line?
-  std::optional<Vector<Rational>> normal;  ///< of the plane that it is in, where it is no line
+  std::optional<Vector<Rational>> normal;  ///< of the plane of the path, if it is plane and no line
   std::vector<Corner> corners = {};        ///< all of them
-  std::optional<Decimal> holonomy = {};    ///< where it is closed, but for a PH curve by itself
-  std::string no_holonomy = {};            ///< why there is none of a closed one: it is undecided
-  /// Of a rational curve by itself, in [0, 1].
+  std::optional<Decimal> holonomy = {};    ///< of a closed path, but not of a single PH curve
+  std::string no_holonomy = {};  ///< why the holonomy of a closed path is missing: it is undecided
+  /// The cusps in [0, 1] of a single rational curve.
   std::vector<RealRoot> cusps = {};
   // Of a PH curve by itself:
   std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back

@@ -6,7 +6,7 @@
 
 namespace phrame {
 
-/// Which points does a motion pass at the times 0, period, 2·period, …?
+/// Asks for the points of a motion at the times 0, period, 2·period, …
 struct InterpolationQuery {
   Feedrate feedrate;            ///< the speed along the path
   Rational period;              ///< > 0, in units of time

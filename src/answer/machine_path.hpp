@@ -8,7 +8,7 @@ namespace phrame {
 /// The vector of a rotation-minimizing frame that a tool is along, from its tip to the spindle.
 enum class ToolAxis { e1, f2, f3 };
 
-/// How does a machine with two rotary axes follow a motion? Times are in seconds.
+/// Asks how a machine with two rotary axes follows a motion. Times are in seconds.
 struct MachineQuery {
   InterpolationQuery motion;                ///< its points
   ToolAxis tool = ToolAxis::f3;             ///< along which vector it is
@@ -23,8 +23,9 @@ struct MachineMove {
   /// @{ A and C, in degrees: the tool is along (sin C sin A, −cos C sin A, cos A).
   Integer a, c;
   /// @}
-  Integer feed;          ///< 1/minutes that the move to there takes; 0 for the start
-  bool is_pole = false;  ///< A is a multiple of 180°, where any C is right: that of before is kept
+  Integer feed;  ///< 1/minutes that the move to there takes; 0 for the start
+  /// A is a multiple of 180°, where any C is right: C of the move before is kept.
+  bool is_pole = false;
 };
 
 /// The moves of a machine, all numbers correctly rounded.

@@ -7,24 +7,26 @@
 
 namespace phrame {
 
-/// Which frame turns least, from one orientation at the start of a path to another at its end?
+/// Asks for the frame that turns least from one orientation at the start of a path to another at
+/// its end.
 struct MinimalTwistQuery {
   FrameStart from = {};  ///< θ_i, or f₂ at the start
-  /// θ_f, or f₂ at the end; none: the path is closed, and the frame ends as it starts.
+  /// θ_f, or f₂ at the end. Without it the path is closed, and the frame ends as it starts.
   std::optional<FrameStart> to = LeastRotation();
-  long extra_turns = 0;           ///< so many revolutions more
+  long extra_turns = 0;           ///< the number of revolutions beyond the least turn
   std::vector<Rational> at = {};  ///< the t where θ is asked for
   long digits = 17;               ///< of all numbers
-  /// v of the frame that angles are to; without it that of Euler and Rodrigues of PH curves, else
-  /// one that does is chosen.
+  /// v, where angles are measured from the frame of v. Without it they are measured from the
+  /// Euler–Rodrigues frame on PH paths, and on others from the frame of a v that is chosen.
   std::optional<Vector<Rational>> up = {};
   /// How a rational frame is looked for.
   struct RationalFrame {
     RationalTwistOptions rotation;  ///< the degree of its rotations, and their ends
     Subdivision subdivision;        ///< its pieces
-    bool is_needed;                 ///< is it an error that there is none?
+    bool is_needed;                 ///< is it an error if there is none?
   };
-  /// None for the exact frame alone; there is one of PH curves, without `up`.
+  /// Without it only the exact frame is found. Only PH paths have a rational frame, and not with
+  /// `up`.
   std::optional<RationalFrame> rational = {};
 };
 
@@ -43,8 +45,8 @@ struct MinimalTwistAnswer {
   Decimal rate;                    ///< the twist over S
   std::vector<AngleValue> values;  ///< θ at the t asked for
   long digits;                     ///< of all numbers
-  /// Where T_min is π, or not told from it: an upper bound of what it is off, "0" or "1.2e-76". To
-  /// turn by −π is as short.
+  /// Where T_min is π, or cannot be told from it: an upper bound of the difference, "0" or
+  /// "1.2e-76". A turn by −π is as short.
   std::string half_turn_within = {};
   std::optional<TwistFrameAnswer> rational = {};  ///< where it was asked for and found
   std::string why_not_rational = {};              ///< where there is none

@@ -7,14 +7,14 @@
 
 namespace phrame {
 
-/// What are the offsets of a plane PH path?
+/// Asks for the offsets of a plane PH path at some distances.
 struct OffsetQuery {
   std::vector<Rational> distances;      ///< at least one, > 0 to the right of travel; not 0
   OffsetJoin join = OffsetJoin::round;  ///< at corners, on the outer side
   long digits = 17;                     ///< of lengths and areas
 };
 
-/// The offsets of a path. Places on them are told by the parameter t of the path.
+/// The offsets of a path. A place on them is named by the parameter t of the path there.
 struct OffsetAnswer {
   /// A length or an area.
   struct Measure {
@@ -31,18 +31,19 @@ struct OffsetAnswer {
     Decimal t;     ///< of the path, with a radius
     bool is_join;  ///< is it on what joins the offsets at the corner there?
   };
-  /// Two of them with one point.
+  /// Two places of the offset that are one point.
   struct Meeting {
     Place first;                ///< the earlier one
     Place second;               ///< the later one
     std::array<Decimal, 2> at;  ///< x and y, with radii
   };
-  /// Parts of which it is not told whether they meet.
+  /// Two parts of the offset that may meet: it is not decided.
   struct Undecided {
     std::array<Decimal, 2> first;   ///< from t to t
     std::array<Decimal, 2> second;  ///< likewise
   };
-  /// What is between two cusps where it turns back, or gaps.
+  /// A part of the offset between neighbouring ends, which are gaps and the cusps where it turns
+  /// back.
   struct Stretch {
     RealAlgebraic from;  ///< t of the path
     RealAlgebraic to;    ///< likewise
@@ -50,12 +51,12 @@ struct OffsetAnswer {
   };
   /// One of the offsets.
   struct Part {
-    Rational distance;                    ///< as asked
-    std::vector<Path> paths;              ///< it, as long as can be
-    std::vector<Cusp> cusps;              ///< all of them
-    std::vector<Meeting> meetings;        ///< the self-intersections that are proved
-    std::vector<Undecided> undecided;     ///< where else there may be some
-    bool is_cut_off;                      ///< or anywhere, as so much is undecided?
+    Rational distance;                 ///< as asked
+    std::vector<Path> paths;           ///< the offset, in as few paths as possible
+    std::vector<Cusp> cusps;           ///< all of them
+    std::vector<Meeting> meetings;     ///< the self-intersections that are proved
+    std::vector<Undecided> undecided;  ///< where else there may be some
+    bool is_cut_off;  ///< were too many parts undecided? Then there may be others anywhere
     std::vector<Rational> inner_corners;  ///< t of those where both sides cross
     std::vector<Stretch> stretches;       ///< one after the other
     Measure length;                       ///< of all of it

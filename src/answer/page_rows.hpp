@@ -6,7 +6,7 @@
 
 namespace phrame {
 
-/// Where the graphs along a path turn round.
+/// The maxima and minima of the graphs along a path.
 struct PathTurns {
   std::vector<PathParameter> at;  ///< in no order; of long paths where each goes farthest
   std::vector<Plotted> infinite;  ///< the quantities with a pole on the path
@@ -18,7 +18,8 @@ struct PathTurns {
 /// are closed forms, of θ, θ′ and |r′|, too.
 PathTurns path_turns(const PathAngle& angle);
 
-/// What has a limit from the left at a joint that is another number than that from the right.
+/// A joint where a number of the table jumps: its limit from the left is another than that from the
+/// right.
 struct PageJump {
   std::size_t row;             ///< of the table, at the joint
   std::vector<double> before;  ///< the row with the limits from the left

@@ -7,16 +7,16 @@
 
 namespace phrame {
 
-/// A body, exactly: a profile swept along a path in a rational frame.
+/// Asks for an exact body: a profile swept along a path in a rational frame.
 struct RationalSweepQuery {
   ProfileCurve profile;                   ///< x along f₂, y along f₃
   FrameStart start = {};                  ///< where the frame starts
-  RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0: the profile is so many times as large
-  /// The rational frame of minimal twist with a w of this degree, 1 to 8, instead of the
-  /// rotation-minimizing one.
+  RationalFunction scale{Polynomial{1}};  ///< λ(t) > 0, by which the profile is scaled
+  /// The degree of w, 1 to 8, of a rational frame of minimal twist that is taken instead of the
+  /// rotation-minimizing frame.
   std::optional<long> twist_degree = {};
-  /// f₂ at its end, once it is projected to the normal plane; none of a closed path, which ends as
-  /// it starts.
+  /// f₂ at the end of that frame, before it is projected to the normal plane. A closed path has
+  /// none: its frame ends as it starts.
   std::optional<Vector<Rational>> end_normal = {};
 };
 

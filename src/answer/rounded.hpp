@@ -6,14 +6,15 @@
 
 namespace phrame {
 
-/// round_to_decimal; where that is undecided, the message begins with what the number is.
+/// The number, correctly rounded by round_to_decimal(). Where that is Undecided, the message begins
+/// with the name of the number.
 Decimal rounded(const Real& x, const std::string& name, long digits);
 
 /// The same; what is not in closed form as the number that may be 0.
 Decimal rounded(const PathTotal& total, const std::string& name, long digits);
 
-/// @{ The same of a number that may be 0: where it cannot be told from 0, 0 with the radius that is
-/// known, by a precision for `digits`; with `shown_digits` ≤ digits.
+/// @{ The same for a number that may be 0. Where it cannot be told from 0 by a precision for
+/// `digits`, it is 0 with a radius that bounds it. `shown_digits` ≤ `digits` are shown.
 Decimal rounded_or_zero(const Real& x, const std::string& name, long digits, long shown_digits);
 Decimal rounded_or_zero(const Real& x, const std::string& name, long digits);
 /// @}

@@ -11,29 +11,29 @@
 
 namespace phrame {
 
-/// A body: a profile swept along a path in its rotation-minimizing frame.
+/// Asks for the mesh of a body: a profile swept along a path in its rotation-minimizing frame.
 struct SweepQuery {
   Profile profile;        ///< x along f₂, y along f₃
   FrameStart start = {};  ///< where the frame starts
-  /// v, where an angle at the start is one to its frame, as angle_to() has it.
+  /// v, where the angle at the start is measured from the frame of v, as by angle_to().
   std::optional<Vector<Rational>> up = {};
-  /// f₂ at the end, once it is projected to the normal plane, to which the frame turns by the
-  /// smallest angle at a constant rate: the frame of minimal twist. Not of a closed path, which
-  /// turns so that it closes.
+  /// f₂ at the end, before it is projected to the normal plane: the frame turns to there by the
+  /// smallest angle, at a constant rate, as the frame of minimal twist does. A closed path has
+  /// none: it turns so that it closes.
   std::optional<Vector<Rational>> end_normal = {};
-  Angle twist = {};       ///< by which it turns beyond that
-  SweepScale scale = {};  ///< λ(t) > 0: the profile is so many times as large
-  /// A distance between mesh and surface, or the number of sections.
+  Angle twist = {};       ///< a further turn, at a constant rate
+  SweepScale scale = {};  ///< λ(t) > 0, by which the profile is scaled
+  /// The greatest distance between mesh and surface, or the number of sections.
   std::variant<Rational, long> tolerance_or_sections = 100L;
-  /// With a tolerance: between 0 and π/2, and normals of triangles are as near to those of the
-  /// surface.
+  /// With a distance: the greatest angle, between 0 and π/2, between the normals of triangles and
+  /// those of the surface.
   std::optional<Angle> normal_tolerance = {};
-  /// The profile with sides within an angle of the curve that it stands for, if it does: what is
-  /// swept where normals have a tolerance.
+  /// Where the profile stands for a curve: the profile whose sides are within an angle of that
+  /// curve. It is swept where there is a tolerance of normals.
   std::function<Profile(const Rational& angle)> profile_within = {};
-  /// From where the coordinates of the mesh are; near the body where there is none.
+  /// The origin of the coordinates of the mesh. Without it, a place near the body is taken.
   std::optional<Vector<Rational>> origin = Vector<Rational>{};
-  Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
+  Coordinates numbers = Coordinates::doubles;  ///< what the coordinates are
 };
 
 /// The body as a mesh.

@@ -5,13 +5,13 @@
 
 namespace phrame {
 
-/// What does a path gather from its start to its end?
+/// Asks for integrals along a path from its start to its end, as its length.
 struct TotalsQuery {
   long digits = 17;                               ///< of all values
   std::optional<NamedPath> other = std::nullopt;  ///< with which a closed path may be linked
 };
 
-/// What a path gathers.
+/// Such an integral, and what else a closed path has.
 enum class Quantity {
   length,          ///< ∫ ds
   erf_twist,       ///< ∫ 2h/σ dt
@@ -51,8 +51,8 @@ struct TotalsAnswer {
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// Throws Undecided, naming the quantity, where one cannot be rounded. That what a closed path has
-/// is undecided is said in its row, as what is without a value along formulas.
+/// Throws Undecided, naming the quantity, where one cannot be rounded. What is undecided about a
+/// closed path, and what has no value along formulas, has its reason in its row instead.
 PHRAME_API TotalsAnswer answer(const NamedPath& path, const TotalsQuery& query);
 
 }  // namespace phrame

@@ -7,8 +7,8 @@
 
 namespace phrame {
 
-/// Which pair of polynomials turns the Euler–Rodrigues frame of a curve nearest to a
-/// rotation-minimizing one [Peng, Pang, Pan 2023]?
+/// Asks for the pair of polynomials by which the Euler–Rodrigues frame of a curve is turned nearest
+/// to a rotation-minimizing one [Peng, Pang, Pan 2023].
 struct WronskianQuery {
   FrameWeight weight = FrameWeight::one;  ///< ρ
   long digits = 17;                       ///< of all numbers
@@ -23,7 +23,8 @@ struct WronskianAnswer {
     std::optional<long> critical_points;  ///< of J, where they could be told apart
     bool is_tied;                         ///< as good as the best one, by symmetry
   };
-  /// How much two frames turn about the tangent that should not.
+  /// How much each of two frames turns about the tangent, where a rotation-minimizing frame does
+  /// not turn at all.
   struct Rates {
     ErrorSize here;   ///< the root mean square of Ω₁ times the length, of the pair over ℚ
     ErrorSize least;  ///< the same of `mtf --degree n --free-ends` with the same twist, 0

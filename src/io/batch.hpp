@@ -10,7 +10,7 @@
 
 namespace phrame {
 
-/// What a line of a batch may leave out.
+/// What holds for the lines of a batch that do not say otherwise.
 struct BatchDefaults {
   Reference frame = Reference::euler_rodrigues;
   std::vector<Rational> at;
@@ -18,31 +18,33 @@ struct BatchDefaults {
   bool values_only = false;  ///< answers without integrand and antiderivative
   CurveLimits limits;
   FrameStart start = Angle();
-  std::optional<double> seconds = {};  ///< that a line may take; its answer is then an error
-  std::optional<Rational> near = {};   ///< so far away may be the curve that stands for no PH curve
-  /// Is there an answer to the line with this id, as JSON text? It is then left out.
+  std::optional<double> seconds = {};  ///< the time limit of a line, whose answer is then an error
+  /// A curve that is not PH is replaced by a PH curve at most so far away.
+  std::optional<Rational> near = {};
+  /// Has the line with this id, given as JSON text, been answered before? Then it is left out.
   std::function<bool(const std::string& id)> is_done = {};
-  std::string question = "angle";  ///< of a line without it
-  /// Answers other questions, and angles that are asked for with more keys, by a JSON object in one
-  /// line; it may throw a Failure. Without it there are none.
+  std::string question = "angle";  ///< of a line without the key "question"
+  /// Answers other questions than "angle", and angles that are asked for with further keys, as a
+  /// JSON object in one line. It may throw a Failure. Without it such lines are refused.
   std::function<std::string(const JsonNode& line)> otherwise = {};
 };
 
 struct BatchAnswer {
   std::string line;  ///< without its end; empty where it is left out
   bool is_failure;
-  std::string complaint = {};  ///< why, as in the line
+  std::string complaint = {};  ///< why it failed, as the line says
 };
 
-/// The answer to a line
+/// Answers a line
 ///   {"id": …, "curve": {…}, "frame": "erf", "at": ["1"], "digits": 17, "theta0": "0"},
-/// with "start_normal": ["0", "0", "1"] instead of "theta0", and of what is no PH curve with
-/// "frame" "up" or "frenet" and "up": ["0", "0", "1"], of which all but the curve (in a format of
-/// phrame, as read_any_path() reads them) may be left out, or to a line that is a bare curve or
-/// spline, whose id is its name: an object angle/1 or spline-angle/1 with the same "id", or {"id":
-/// …, "error": {"status": 2, "message": "…"}}, the status being the program's exit status for the
-/// same curve. With a key "question" that is not "angle", what is answered otherwise. Depends on
-/// nothing but the line, and may be called from several threads. Throws nothing but bad_alloc.
+/// of which all but the curve may be left out. "start_normal": ["0", "0", "1"] may stand for
+/// "theta0". Of a curve that is not PH, "frame" is "up" or "frenet", and "up": ["0", "0", "1"] is
+/// v. The curve is in a format of phrame, as read_any_path() reads it. A line may also be the curve
+/// or spline by itself; its name is the id then. The answer is an object angle/1 or spline-angle/1
+/// with the same "id", or {"id": …, "error": {"status": 2, "message": "…"}}, where the status is
+/// the exit status of the program for the same curve. A line whose "question" is not "angle" is
+/// answered by `otherwise`. Depends on nothing but the line, and may be called from several
+/// threads. Throws nothing but bad_alloc.
 BatchAnswer batch_answer(std::string_view line, const BatchDefaults& defaults);
 
 /// The id of an answer, errors included, "null" where it has none; no value where the line is no

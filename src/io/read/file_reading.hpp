@@ -6,21 +6,22 @@
 
 namespace phrame {
 
-/// What is asked of whoever reads a file, beside the limits.
+/// How a file is to be read, beside the limits.
 struct PHRAME_API FileReading {
-  /// Of tables and lists of points: rows that miss a number, and points that are those before them,
-  /// are left out, and a note says how many. Otherwise the first of them is refused.
+  /// In tables and lists of points, leave out rows that miss a number and points that are equal to
+  /// those before them; a note says how many. Otherwise the first of them is refused.
   bool skips_invalid = false;
-  /// Of a file with several curves, the one of this name; where it is empty, a file with several is
-  /// refused with the list of their names.
+  /// The name of the curve that is read of a file with several. Where it is empty, a file with
+  /// several is refused, with the list of their names.
   std::string pick = {};
-  /// Of tables and lists of points what they are: natural, periodic, polyline, bezier or bspline.
+  /// What the points of tables and lists are: natural, periodic, polyline, bezier or bspline.
   std::string kind = {};
-  /// A column that is read for something else, so that it is not said to be skipped.
+  /// The name of a column that is read for something else: no note says that it was skipped.
   std::string other_column = {};
-  bool skips_where_possible = false;  ///< files without such rows are not refused then
+  /// With skips_invalid: files that have no rows to skip are not refused.
+  bool skips_where_possible = false;
 
-  /// Is nothing asked?
+  /// Has nothing of this been asked for?
   bool is_plain() const { return !skips_invalid && pick.empty() && kind.empty(); }
   /// Throws InputError, its place the option of the program, for what means nothing in a file that
   /// is this, "an SVG file", whose points or curves it is not about.

@@ -10,7 +10,7 @@
 
 namespace phrame {
 
-/// An angle that a frame is to have, exactly: π·half_turns + radians + arg direction.
+/// An exact angle of a frame: π·half_turns + radians + arg direction.
 struct FrameAngle {
   Rational half_turns;               ///< the multiple of π
   Rational radians;                  ///< what is added to it
@@ -23,7 +23,7 @@ struct FrameAngle {
   /// The same angle.
   FrameAngle(const Angle& angle)  // NOLINT(google-explicit-constructor)
       : FrameAngle(angle.half_turns, angle.radians) {}
-  /// So many radians.
+  /// An angle in radians.
   FrameAngle(Rational in_radians)  // NOLINT(google-explicit-constructor)
       : FrameAngle(0, std::move(in_radians)) {}
   friend bool operator==(const FrameAngle&, const FrameAngle&) = default;
@@ -35,29 +35,29 @@ PHRAME_API FrameAngle angle_of(const GaussianRational& z);
 /// The angle over π where that is rational; no value where it is not: decided exactly.
 PHRAME_API std::optional<Rational> over_pi(const FrameAngle& angle);
 
-/// @{ b − a, and the sum, whole turns included.
+/// @{ The difference b − a and the sum; whole turns count.
 PHRAME_API FrameAngle difference(const FrameAngle& b, const FrameAngle& a);
 PHRAME_API FrameAngle operator+(const FrameAngle& a, const FrameAngle& b);
 /// @}
 
-/// 1 at t = 0 and z at t = 1, straight on and not through 0, so that its argument turns by arg z;
-/// for the z of a FrameAngle.
+/// The polynomial that goes straight from 1 at t = 0 to z at t = 1, not through 0, so that its
+/// argument turns by arg z. z is that of a FrameAngle.
 PHRAME_API GaussianPolynomial path_to(const GaussianRational& z);
 
 /// z ∈ ℚ(i) whose argument is the angle, up to whole turns; no value where there is none: decided
 /// exactly.
 PHRAME_API std::optional<GaussianRational> direction_of(const FrameAngle& angle);
 
-/// Exact where the angle is rational, else known to be irrational: decided exactly.
+/// The angle as a number: exact where it is rational, else known to be irrational. Decided exactly.
 PHRAME_API Real to_real(const FrameAngle& angle);
 
-/// The angle that a frame starts at: exactly, where that is known, and its value.
+/// The angle at which a frame starts: its value, and the exact angle where that is known.
 struct StartAngle {
   std::optional<FrameAngle> exact;  ///< no value where only enclosures are known
   Real value;                       ///< the angle
 
   StartAngle() : StartAngle(FrameAngle()) {}  ///< 0
-  /// @{ This one.
+  /// @{ This angle.
   StartAngle(const FrameAngle& angle)  // NOLINT(google-explicit-constructor)
       : exact(angle), value(to_real(angle)) {}
   StartAngle(const Angle& angle)  // NOLINT(google-explicit-constructor)
@@ -69,12 +69,13 @@ struct StartAngle {
   /// @}
 };
 
-/// An angle as it is written: as an Angle and, where z is there, arg z, the principal one.
+/// An angle as it is written: the sum of an Angle and, where there is a z, the principal value of
+/// arg z.
 struct AngleTerms {
   Angle angle;                       ///< π·half_turns + radians
-  std::optional<GaussianInteger> z;  ///< what the argument is of
+  std::optional<GaussianInteger> z;  ///< the number whose argument is added
 };
-PHRAME_API AngleTerms terms(const FrameAngle& angle);  ///< the fewest of them
+PHRAME_API AngleTerms terms(const FrameAngle& angle);  ///< as few terms as possible
 
 /// "pi/4", "atan2(4, 3)", "1/3 + atan2(-1, 2)".
 PHRAME_API std::string to_string(const FrameAngle& angle);

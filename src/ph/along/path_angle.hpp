@@ -19,13 +19,15 @@ namespace phrame {
 /// copy it.
 class PHRAME_API PathAngle {
  public:
-  /// To the Euler–Rodrigues frame, where all segments are PH curves, else to that of up_vector().
+  /// The angle to the Euler–Rodrigues frame where all segments are PH curves, else to the frame of
+  /// up_vector(path).
   explicit PathAngle(const Path& path);
-  /// To this frame; that of a vector is that of up_vector(path). Throws DomainError where a segment
-  /// has none: the Euler–Rodrigues frame where it is no PH curve, that of Frenet on a straight
-  /// line; and where the Frenet frame jumps at a joint, which is decided exactly, or Undecided.
+  /// The angle to this frame; Reference::up is the frame of up_vector(path). Throws DomainError
+  /// where a segment has no such frame: the Euler–Rodrigues frame where it is no PH curve, the
+  /// Frenet frame on a straight line. Where the Frenet frame jumps at a joint, DomainError is
+  /// thrown, too, or Undecided: that is decided exactly.
   PathAngle(const Path& path, Reference reference, Form form = Form::automatic);
-  /// To the frame of v. Throws as require_up_vector().
+  /// The angle to the frame of v. Throws as require_up_vector().
   PathAngle(const Path& path, const Vector<Rational>& v, Form form = Form::automatic);
   PathAngle(const PathAngle&) = default;
   PathAngle& operator=(const PathAngle&) = default;
@@ -33,26 +35,30 @@ class PHRAME_API PathAngle {
 
   const Path& path() const;     ///< along which it is
   Reference reference() const;  ///< the frame it is measured from
-  /// v: of the frame it is measured from, or else up_vector(path()), found in the first call.
+  /// v, where the angle is measured from the frame of v; else up_vector(path()), found in the first
+  /// call.
   const Vector<Rational>& up() const;
-  /// θ along segment k, counted from its start, where that is a PH curve; null where it is none.
+  /// θ along segment k, counted from the start of that, if it is a PH curve; else null.
   const RmfAngle* closed_form(std::size_t k) const;
-  /// Is it seen to be 0 all along, as in a plane with its normal for v, and on a straight line?
+  /// Is θ seen to be 0 all along? So it is on a straight line, and on a plane path where v is
+  /// normal to the plane.
   bool is_zero() const;
 
-  /// The way to the values of closed forms from now on; that of copies stays.
+  /// Chooses the way to the values of closed forms from now on. Copies keep theirs.
   void set_route(Route route);
 
-  /// θ(t) + start, exact where it is seen to be rational; also where the contributions of different
-  /// segments cancel. A PH curve by itself goes on for all t; for t outside [0, end] of another
-  /// path DomainError is thrown.
+  /// θ(t) + start, exact where it is seen to be rational, also where contributions of several
+  /// segments cancel. A single PH curve has values for all t; elsewhere DomainError is thrown for t
+  /// outside [0, end].
   Real value(const Rational& t, const StartAngle& start = {}) const;
-  /// The same; a PH curve is continued for a t outside [0, 1], for others DomainError is thrown.
+  /// The same at a place. A segment that is a PH curve is continued for t outside [0, 1]; on others
+  /// DomainError is thrown.
   Real value(const Place& at, const StartAngle& start = {}) const;
   /// A ball around θ(at) with a radius ≤ 2^−bits · max(1, |θ(at)|); the sums up to the joints are
   /// kept.
   RealBall enclose(const Place& at, long bits) const;
-  /// Around θ(at) + start, likewise but for what the two cancel.
+  /// A ball around θ(at) + start, of which the radius is likewise, but greater where the two
+  /// cancel.
   RealBall enclose(const Place& at, const StartAngle& start, long bits) const;
   /// θ′ = dθ/dt on that segment.
   RealBall rate(const Place& at, long bits) const;
@@ -65,14 +71,16 @@ class PHRAME_API PathAngle {
   std::optional<Rational> multiple_of_pi(const PathParameter& at, const GaussianPolynomial& phase,
                                          const Rational& offset = 0) const;
 
-  /// By which angle in (−π, π], or next to π where it is not told from that, the
-  /// rotation-minimizing frame comes back turned about the tangent r′/|r′| of a closed path, where
-  /// it closes at a corner carried through that:
-  /// f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0). Exact where it is seen to be 0. No value where the
-  /// path is not closed with its e₁. Throws DomainError for the angle to a Frenet frame.
+  /// The angle in (−π, π] by which the rotation-minimizing frame of a closed path comes back turned
+  /// about the tangent T = r′/|r′|,
+  ///   f₂(end) = cos(·) f₂(0) + sin(·) T × f₂(0).
+  /// Where the path closes at a corner, the frame is carried through that. Exact where it is seen
+  /// to be 0; where it is not told from ±π, it is next to π. No value where the path is not closed
+  /// with its e₁. Throws DomainError for the angle to a Frenet frame.
   std::optional<Real> holonomy() const;
-  /// By what θ is greater behind the corner where the ends of a closed path meet; 0 where there is
-  /// none, and to the Euler–Rodrigues frame, for which Path::closing_turn() says it.
+  /// Where a closed path closes at a corner, the amount by which θ is greater behind that. It is 0
+  /// without such a corner, and for the angle to the Euler–Rodrigues frame, which
+  /// Path::closing_turn() takes care of.
   Real turn_of_ends() const;
 
  private:
@@ -87,8 +95,8 @@ class PHRAME_API PathAngle {
   std::shared_ptr<State> state_;
 };
 
-/// The frame that angles along the path are measured from: that of v where there is one, else the
-/// one that is asked for, else as PathAngle(path) has it.
+/// The frame that angles along the path are measured from: that of v where there is a v, else the
+/// one that is asked for, else the one that PathAngle(path) takes.
 PHRAME_API Reference reference_of(const Path& path, const std::optional<Vector<Rational>>& v,
                                   std::optional<Reference> asked = std::nullopt);
 /// The angle to that frame. Throws as the constructors.

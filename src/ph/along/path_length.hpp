@@ -15,28 +15,29 @@ class PHRAME_API PathLength {
   /// Along this path.
   explicit PathLength(const Path& path);
 
-  /// From the start of the path to there; exact where it is seen to be rational: along PH curves up
-  /// to a rational t, if f changes its sign at rational t only, and on lines.
+  /// The length from the start of the path to a place. Exact where it is seen to be rational: along
+  /// PH curves up to a rational t, if f changes its sign at rational t only, and on lines.
   Real value(const Place& at) const;
-  /// Up to the start of segment k, the end of the path for k = the number of segments.
+  /// The length up to the start of segment k; the whole length where k is the number of segments.
   Real before(std::size_t k) const;
-  /// Of segment k.
+  /// The length of segment k.
   Real of_segment(std::size_t k) const;
-  /// Of the whole path.
+  /// The length of the whole path.
   Real total() const;
-  /// Along segment k, from its start, where it is a PH curve on which f keeps its sign; else null.
+  /// The arc length along segment k from its start, if that is a PH curve on which f keeps its
+  /// sign; else null.
   std::shared_ptr<const ArcLength> closed_form(std::size_t k) const;
 
-  /// A ball around value(), whatever that is.
+  /// A ball around value(), also where value() is exact.
   RealBall enclose(const Place& at, long bits) const;
   /// ds/dt ≥ 0 on a ball of the parameter of a segment.
   RealBall rate(std::size_t segment, const RealBall& t, long bits) const;
 
-  /// Where the arc length from the start is s, at a joint on the later segment; the end for an s
-  /// beyond it that rounds to the same double. t is known to be algebraic along a PH curve
-  /// where value() of rational t is exact. Throws DomainError for another s outside [0, total()],
-  /// Undecided where that, or which segment it is, is not told within 8192 bits. The t is not for
-  /// concurrent use.
+  /// The place where the arc length from the start is s; at a joint it is on the later segment. For
+  /// an s beyond the length that rounds to the same double it is the end. t is known to be
+  /// algebraic along a PH curve where value() of rational t is exact. Throws DomainError for
+  /// another s outside [0, total()]; Undecided where that, or the segment, is not told within 8192
+  /// bits. The t is not for concurrent use.
   Place point(const Rational& s) const;
 
  private:

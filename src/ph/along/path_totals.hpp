@@ -7,26 +7,27 @@
 
 namespace phrame {
 
-/// What a path gathers from its start to its end: the sum of what its segments do.
+/// An integral along a path from its start to its end, the sum of those along its segments.
 struct PathTotal {
-  /// √radicand · of
+  /// The number √radicand · of.
   struct Term {
     Rational radicand;  ///< > 0
     ExactValue of;      ///< what √radicand is multiplied by
     friend bool operator==(const Term&, const Term&) = default;
   };
-  /// Of a PH curve in closed form, where it has one; of others a sum of square roots, where it is
-  /// seen to be one; else certain to any number of digits.
+  /// The integral along one segment: in closed form along a PH curve that has one; along others a
+  /// sum of square roots where it is seen to be one, else a number that is certain to any number of
+  /// digits.
   using OfSegment = std::variant<CurveTotal, Surd, Real>;
   std::vector<OfSegment> segments;  ///< what each adds, without corners
   /// Exact where it is seen to be rational, also where what is irrational of different segments
   /// cancels.
   Real value;
-  /// The sum that value is, where it is known in finite terms. No product of two radicands is a
+  /// The value as a sum, where it is known in finite terms. No product of two radicands is a
   /// square, so that there is one term for most paths.
   std::optional<std::vector<Term>> exact;
 };
-/// As a number.
+/// The value as a number.
 PHRAME_API Real value_of(const PathTotal::OfSegment& segment);
 
 /// ∫ ds = ∫ |r′| dt.

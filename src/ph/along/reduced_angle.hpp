@@ -6,8 +6,8 @@
 
 namespace phrame {
 
-/// The angle in (−π, π] that differs from this one by whole turns, however many: decided exactly.
-/// Where whole turns are taken from radians they stand in half_turns.
+/// The angle in (−π, π] that differs from this one by any number of whole turns, decided exactly.
+/// Whole turns that are taken from `radians` are in half_turns then.
 FrameAngle reduced(const FrameAngle& angle);
 
 /// 2π·k.
@@ -17,23 +17,23 @@ Real whole_turn(const Integer& k);
 struct ReducedAngle {
   Real angle;
   Integer turns;
-  /// Where the angle is π, or not told from it: it is as near to π as this, so that −π would do as
+  /// Where the angle is π, or cannot be told from π: a bound of the difference. −π would do as
   /// well.
   std::optional<Rational> half_turn_within;
 };
 
-/// `over_pi`, asked where x is near a multiple of π, is x/π if that is known to be rational: so ±π
-/// are told apart, and 0 and π are exact. Where it is not known and so many bits do not tell x from
-/// an odd multiple of π, the angle next to π is taken. Throws Undecided where the enclosures of x
-/// do not shrink.
+/// Reduces x by whole turns. `over_pi` is asked where x is near a multiple of π; it gives x/π where
+/// that is known to be rational, so that π and −π are told apart, and 0 and π are exact. Where it
+/// gives nothing, and most_bits do not tell x from an odd multiple of π, the angle next to π is
+/// taken. Throws Undecided where the enclosures of x do not shrink.
 ReducedAngle reduced(const Real& x, const std::function<std::optional<Rational>()>& over_pi,
                      long most_bits = 32768);
-/// The same with what x knows of itself, algebraic_angle.hpp, and where values are dear: up to 256
+/// The same by what x knows of itself (algebraic_angle.hpp), for values that are dear: up to 256
 /// bits.
 ReducedAngle reduced(const Real& x);
 
-/// x less the multiple of 2π next to its midpoint: a ball around a number of about [−π, π], for
-/// what is measured and not decided.
+/// x less the multiple of 2π next to its midpoint: a ball around a number of about [−π, π]. For
+/// numbers that are measured, and from which nothing is decided.
 RealBall reduced(const RealBall& x, long bits);
 
 }  // namespace phrame

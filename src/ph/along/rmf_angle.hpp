@@ -26,15 +26,16 @@ enum class Reference {
 /// move one is to copy it.
 class PHRAME_API RmfAngle {
  public:
-  /// Throws DomainError for A = 0 and for the Frenet frame of a straight line. Precondition: not to
-  /// the frame of a vector, which is given to the next one.
+  /// The angle to the Euler–Rodrigues or the Frenet frame. Throws DomainError for A = 0, and for
+  /// the Frenet frame of a straight line. Precondition: the reference is not the frame of a vector,
+  /// for which there is the next constructor.
   explicit RmfAngle(const QuaternionPolynomial& preimage,
                     Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
-  /// To the frame of v, which is continued where v is along the tangent. Throws DomainError for A =
-  /// 0, and where v is along the tangent all along.
+  /// The angle to the frame of v, which is continued where v is along the tangent. Throws
+  /// DomainError for A = 0, and where v is along the tangent all along.
   RmfAngle(const QuaternionPolynomial& preimage, const Vector<Rational>& v,
            Form form = Form::automatic);
-  /// Of the preimage of a curve.
+  /// The angle of the preimage of a curve.
   explicit RmfAngle(const Curve& curve, Reference reference = Reference::euler_rodrigues,
                     Form form = Form::automatic)
       : RmfAngle(curve.preimage(), reference, form) {}
@@ -44,9 +45,9 @@ class PHRAME_API RmfAngle {
 
   /// θ′ in lowest terms.
   const RationalFunction& rate() const;
-  /// θ up to a constant is angle_to_erf() plus, where there is a bend(), its argument.
-  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0. Found when it is first asked for: no value needs
-  /// its form.
+  /// Up to a constant θ is angle_to_erf() plus the argument of bend(), where there is one.
+  /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0. It is found when it is first asked for; no value
+  /// needs its form.
   const Antiderivative& angle_to_erf() const;
   /// The same without its logarithms.
   const Antiderivative& without_logarithms() const;
@@ -61,7 +62,7 @@ class PHRAME_API RmfAngle {
   /// That it is rational is decided where all residues of θ′ lie in ℚ(i) and recognised in many
   /// other cases; where it is not recognised, to round it throws Undecided.
   Real value(const Rational& t, const FrameAngle& start = {}) const;
-  /// The way to values from now on; that of copies stays.
+  /// Chooses the way to values from now on. Copies keep theirs.
   void set_route(Route route) { evaluator_.set_route(route); }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits) const;

@@ -7,7 +7,7 @@
 
 namespace phrame {
 
-/// What a curve gathers on the segment [0, 1], in closed form:
+/// An integral along a curve on [0, 1], in closed form:
 ///   √radicand · ∫₀¹ ±rate dt = √radicand · Σ ±(F(b) − F(a))
 /// over the parts [a, b] between the sign changes. On the first part the sign is +.
 struct CurveTotal {

@@ -9,11 +9,12 @@ namespace phrame {
 
 class SegmentTime;
 
-/// How many whole k ≥ 0 have k·period < total. Throws DomainError for a period ≤ 0, Undecided where
-/// the total cannot be told from a multiple of the period.
+/// The number of whole k ≥ 0 with k·period < total. Throws DomainError for a period ≤ 0; Undecided
+/// where the total cannot be told from a multiple of the period.
 PHRAME_API Integer ticks_before(const Real& total, const Rational& period);
 
-/// The sign of time − x. Throws Undecided where 4096 bits do not tell; `what` is what x is.
+/// The sign of time − x. Throws Undecided where 4096 bits do not tell it; `what` names x in the
+/// message.
 PHRAME_API int compare_time(const Rational& time, const Real& x, const std::string& what);
 
 /// Is it a time beyond the total that rounds to the same double? Then it is the end: is_rounded().
@@ -36,7 +37,7 @@ class PHRAME_API TravelTime {
   ~TravelTime() = default;
 
   const PathLength& length() const;  ///< the arc length along the path
-  /// Along segment k, from its start, with V(t) or V(κ).
+  /// The time along segment k, from its start, with V(t) or V(κ).
   const SegmentTime& segment(std::size_t k) const;
 
   /// T there, exact where it is seen to be rational.

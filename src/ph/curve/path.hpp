@@ -24,9 +24,9 @@ class PHRAME_API Path {
   explicit Path(Curve curve) : Path(Segment(PhSegment(std::move(curve)))) {}
   /// The segments of a path of PH curves.
   Path(const PhPath& ph);  // NOLINT(google-explicit-constructor)
-  /// Segments, at least one, that are known to go on where the one before ends, in position and,
-  /// but for those that begin with a corner, in tangent, PH curves with their preimages. They are
-  /// turned over where append() does it.
+  /// A path of segments, at least one, of which it is known that each begins where the one before
+  /// ends, with the same tangent but for the `corners`, and that the preimages of PH curves go on.
+  /// They are turned over where append() does it.
   static Path of_continuous(std::vector<Segment> segments, std::vector<std::size_t> corners = {});
   Path(const Path&) = default;
   Path& operator=(const Path&) = default;  // to move one is to copy it
@@ -39,23 +39,24 @@ class PHRAME_API Path {
   void append(Segment next);
 
   const std::vector<Segment>& segments() const { return *segments_; }  ///< at least one
-  /// The segments, ascending, at whose start the tangent breaks.
+  /// The numbers of the segments at whose start the tangent breaks, ascending.
   const std::vector<std::size_t>& corners() const { return corners_; }
   bool has_corner(std::size_t k) const;  ///< does the tangent break at the start of segment k?
   bool is_ph() const;                    ///< are all of its segments PH curves?
   /// The path of PH curves, where all of its segments are.
   std::optional<PhPath> ph() const;
-  /// Of the parameter.
+  /// The greatest parameter.
   Rational end() const { return Rational(static_cast<long>(segments().size())); }
 
-  /// Is its end its start? Throws Undecided where that is not told of values of formulas.
+  /// Does the path end in the point where it starts? Throws Undecided where values of formulas do
+  /// not tell.
   bool ends_meet() const;
-  /// Do its ends meet, e₁ on the same side of r′/|r′| at both, and the tangent does not turn back
-  /// there? Throws likewise.
+  /// Do the ends meet, with e₁ on the same side of r′/|r′| at both, and does the tangent not turn
+  /// back there? Throws likewise.
   bool is_closed() const;
-  /// Is it closed, and the tangents at its ends differ, or are not told apart from that?
+  /// Is the path closed, and are the tangents at its ends different, or not told apart from that?
   bool closes_at_corner() const;
-  /// Of a path of PH curves, as PhPath::closing_turn() has it; of others no value.
+  /// PhPath::closing_turn() of a path of PH curves; no value for others.
   std::optional<GaussianRational> closing_turn() const;
 
   friend bool operator==(const Path& a, const Path& b) { return a.segments() == b.segments(); }
@@ -81,8 +82,8 @@ PHRAME_API Closure closure(const Path& path);
 /// The segments, at least one, one after the other. Throws as Path::append.
 PHRAME_API Path joined(std::vector<Segment> segments);
 
-/// The same path by its positions, as if it were not known to be Pythagorean. Its e₁ is that of the
-/// path or, everywhere, its opposite.
+/// The same path by its positions, as if it were not known to be PH. Its e₁ is that of the path, or
+/// the opposite everywhere.
 PHRAME_API Path by_positions(const PhPath& path);
 
 /// A path and what it is called.
@@ -90,7 +91,7 @@ struct NamedPath {
   std::string name;                     ///< may be empty
   Path path;                            ///< the path
   std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
-  /// How near it is to the one in whose place it stands, where that is no PH path.
+  /// How near the path is to a given one that is not PH, where it stands for that.
   std::optional<Nearness> near = {};
   /// The parameter that its file has, at t = 0, 1, …, as knots are; between them it is a linear
   /// function of t. Empty where there is none, or it is t.
@@ -99,7 +100,7 @@ struct NamedPath {
   /// A path under this name.
   NamedPath(std::string its_name, Path its_path)
       : name(std::move(its_name)), path(std::move(its_path)) {}
-  /// @{ The same as one of segments of any kind.
+  /// @{ The same path, as one of segments of any kind.
   NamedPath(const NamedPhPath& ph)  // NOLINT(google-explicit-constructor)
       : name(ph.name), path(ph.path), notes(ph.notes), near(ph.near) {}
   NamedPath(const NamedCurve& curve)  // NOLINT(google-explicit-constructor)
@@ -107,14 +108,14 @@ struct NamedPath {
   /// @}
 };
 
-/// The same as one of PH curves, where it is one.
+/// The same path, as one of PH curves, where it is one.
 PHRAME_API std::optional<NamedPhPath> as_ph(const NamedPath& named);
 
-/// Segment k, which is a PH curve. Throws DomainError where it is none, and so has no
+/// The PH curve that segment k is. Throws DomainError where it is none and so has no
 /// Euler–Rodrigues frame.
 PHRAME_API const PhSegment& segment_with_erf(const Path& path, std::size_t k);
 
-/// Is it a PH curve by itself, which goes on for all t?
+/// Is the path a single PH curve, which has points for all t?
 PHRAME_API bool goes_on(const Path& path);
 /// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]; any
 /// where the path goes_on(). Throws DomainError for t outside [0, end()] of other paths.

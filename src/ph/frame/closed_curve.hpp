@@ -20,13 +20,13 @@ struct ClosedFrame {
   Real twist;
 };
 
-/// The frame of the first of a few v with which all is decided. Throws DomainError where the curve
-/// is not closed, or has a cusp, but for one of a PH curve that does not
-/// turn back there; Undecided where no v decides, as where the curve meets itself, and where it is
-/// not told whether it is closed. Cost: that of the crossings; the twist is found when it is asked
-/// for, of PH curves by a closed form.
+/// The frame of the first of a few v that decides everything. Throws DomainError where the curve is
+/// not closed or has a cusp, unless it is that of a PH curve which does not turn back there;
+/// Undecided where no v decides, as where the curve meets itself, and where it is not told whether
+/// it is closed. Cost: that of the crossings. The twist is found when it is asked for, along PH
+/// curves by a closed form.
 PHRAME_API ClosedFrame closed_frame(const Path& path);
-/// With this v, or no value where it does not decide.
+/// The frame of this v; no value where that does not decide.
 PHRAME_API std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v);
 
 /// The writhe Wr = Lk − Tw, 1/(4π) ∬ det(r′(s), r′(t), r(s) − r(t))/|r(s) − r(t)|³ ds dt.
@@ -34,8 +34,8 @@ PHRAME_API Real writhe(const ClosedFrame& frame);
 /// The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
 /// closed_frame().
 PHRAME_API Real writhe(const Path& path);
-/// By which angle in (−π, π] a rotation-minimizing frame comes back turned about the tangent:
-/// −2π·Tw up to whole turns; next to π where it is not told from that within 256 bits.
+/// The angle in (−π, π] by which a rotation-minimizing frame comes back turned about the tangent:
+/// −2π·Tw, up to whole turns. Where it is not told from ±π within 256 bits it is next to π.
 PHRAME_API Real holonomy(const ClosedFrame& frame);
 /// The self-linking number Lk − Tw + ∫τ ds/(2π) of a curve without inflections: how often it is
 /// linked with its copy shifted along its principal normals. `torsion` is ∫τ ds. Throws Undecided

@@ -19,7 +19,7 @@ class PHRAME_API CompiledFrames {
   /// The rotation-minimizing frame along a path, on [0, end]: its angle to the frame that θ is
   /// measured from is θ + start_angle. As in compiled_rotation.
   explicit CompiledFrames(const PathAngle& angle, const StartAngle& start_angle = {});
-  /// The same of one segment k, on [k, k + 1].
+  /// The same frame of segment k alone, on [k, k + 1].
   CompiledFrames(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   /// The Euler–Rodrigues frame, or that of Frenet continued through inflections, at t − origin, as
   /// in compiled_rotation.
@@ -27,7 +27,7 @@ class PHRAME_API CompiledFrames {
                  double origin = 0);
   /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.
   using Zeros = std::array<std::array<bool, 3>, 3>;
-  /// Of polynomials as of compiled_rotation, of compensated_shape(4).
+  /// Frames by polynomials that compiled_rotation made, of compensated_shape(4).
   CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros);
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
@@ -47,7 +47,7 @@ class PHRAME_API CompiledFrames {
   double to() const;    ///< where they end
 
  private:
-  /// What rounded() gives there.
+  /// The frame that rounded() gives there.
   std::optional<Frame<double>> near_frame(const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);

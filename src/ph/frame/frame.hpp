@@ -34,9 +34,9 @@ PHRAME_API Frame<Real> as_real(const Frame<Rational>& frame);  ///< the same num
 /// The angle to (e₂, e₃) of v projected to their plane. Throws DomainError where that is 0.
 PHRAME_API FrameAngle angle_of(const Vector<Rational>& v, const Frame<Rational>& frame);
 
-/// The frame turned about e₁ by θ + start, of which `theta(start)` is asked. Exact where
-/// `direction` is there, θ = arg of it up to whole turns, and start is of such a number, too; also
-/// where θ = 0.
+/// The frame turned about e₁ by θ + start, an angle that `theta(start)` gives. It is exact if
+/// `direction` is there, a number with the argument θ up to whole turns, and if start is the
+/// argument of such a number, too; also where θ = 0.
 PHRAME_API Frame<Real> turned(const Frame<Rational>& frame,
                               const std::optional<GaussianRational>& direction,
                               const std::function<Real(const FrameAngle& start)>& theta,
@@ -45,7 +45,7 @@ PHRAME_API Frame<Real> turned(const Frame<Rational>& frame,
 /// The frames of one curve, for many t: what does not depend on t is computed once.
 class PHRAME_API Frames {
  public:
-  /// Of this curve.
+  /// The frames of this curve.
   explicit Frames(const Curve& curve);
 
   /// (A i A*, A j A*, A k A*)/σ at t, exact; through cusps by continuity.

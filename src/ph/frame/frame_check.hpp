@@ -6,31 +6,30 @@
 
 namespace phrame {
 
-/// What frames are compared with, and how exactly.
+/// The frame that others are compared with, and the tolerance.
 struct FrameCheckOptions {
-  /// Where the rotation-minimizing frame that the frames are compared with starts; an angle is that
-  /// to e₂ of the frame that angles are measured from. Without it, that frame agrees with the first
-  /// sample.
+  /// Where the rotation-minimizing frame starts that others are compared with; an angle is counted
+  /// from e₂ of the reference frame. Without a start, that frame agrees with the first sample.
   std::optional<FrameStart> start = std::nullopt;
   Rational tolerance{1, 1'000'000};  ///< for angles, cosines and lengths
-  /// v, where angles are to be measured from its frame, as angle_to() has it.
+  /// v, where angles are measured from the frame of v, as by angle_to().
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// Is the sine of the angle between each tangent given and ±T within the tolerance? By numbers that
-/// are exact or off by less than 2^−192 of their size, and much faster than check_frames().
+/// Is the sine of the angle between each given tangent and ±T within the tolerance? Numbers are
+/// exact, or off by less than 2^−192 of their size; this is much faster than check_frames().
 PHRAME_API bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
                                 const Rational& tolerance);
 
-/// Where somebody says that the curve is at t.
+/// A point where somebody says that the curve is at t.
 struct GivenPosition {
   Rational t;          ///< a parameter of the path
   Vector<Rational> r;  ///< the place
 };
 
-/// Are these positions the curve's but for one translation, which takes the first to its place? To
-/// within the tolerance times the way from the first to the farthest; where all are one place, they
-/// are no sign of the curve. By numbers as those of are_along_curve().
+/// Are these positions on the curve, but for one translation, which takes the first to its place?
+/// To within the tolerance times the way from the first to the farthest. Where all are one place,
+/// the answer is no. Numbers are as those of are_along_curve().
 PHRAME_API bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                              const Rational& tolerance);
 

@@ -7,12 +7,11 @@
 
 namespace phrame {
 
-/// Where f₂ is to be at the start of a path: along this vector, once that is projected to the
-/// normal plane.
+/// A start with f₂ along this vector, once that is projected to the normal plane.
 struct StartNormal {
   Vector<Rational> vector;  ///< of any length, neither 0 nor along the tangent
 
-  /// Along this vector.
+  /// The start along this vector.
   explicit StartNormal(Vector<Rational> along) : vector(std::move(along)) {}
   friend bool operator==(const StartNormal&, const StartNormal&) = default;
 };
@@ -35,16 +34,16 @@ PHRAME_API Vector<Rational> least_rotation_normal(const Vector<Rational>& e1);
 /// at an angle to the frame that angles are measured from, or with f₂ along a vector.
 using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 
-/// θ(0) of a path that starts with this PH curve, exactly; that of a vector, and of a LeastRotation
+/// θ(0) of a path that starts with this PH curve, exactly. That of a vector, and of a LeastRotation
 /// before it is turned, is in (−π, π]. At a cusp the frames are those that are continued through
-/// it; where the curve starts with an inflection, the Frenet frame is that of small t > 0. Throws
-/// DomainError for a vector that is 0 or along the tangent, and where it is measured from the
-/// Frenet frame of a straight line. `up` is v, where it is measured from the frame of one. At
-/// another t it is likewise, but for the angle to the Frenet frame.
+/// it; where the curve starts with an inflection, the Frenet frame is that of small t > 0. `up` is
+/// v, where θ is measured from the frame of v. Throws DomainError for a vector that is 0 or along
+/// the tangent, and where θ is measured from the Frenet frame of a straight line. At another t it
+/// is likewise, unless θ is measured from the Frenet frame.
 PHRAME_API FrameAngle start_angle(const FrameStart& start, const Curve& first,
                                   Reference reference = Reference::euler_rodrigues,
                                   const Vector<Rational>& up = {}, const Rational& t = 0);
-/// Along a path of PH curves, likewise.
+/// The same for a path of PH curves.
 PHRAME_API FrameAngle start_angle(const FrameStart& start, const PhPath& path,
                                   Reference reference = Reference::euler_rodrigues);
 

@@ -44,7 +44,7 @@ struct FrameDeviation {
   int handedness = 0;
 };
 
-/// What is wrong with given frames, with the samples where it is.
+/// A fault of given frames, and the samples that have it.
 struct FrameFinding {
   /// What it is.
   enum class Kind {
@@ -66,21 +66,22 @@ struct FrameFinding {
   };
   Kind kind;                              ///< what is wrong
   std::vector<std::size_t> samples = {};  ///< the numbers of the frames, from 0
-  /// The offset of constant_offset and other_start; what f₂ turns by from the first sample to the
-  /// last for drift; the range of the errors for irregular.
+  /// For constant_offset and other_start the offset; for drift the angle by which f₂ turns from the
+  /// first sample to the last; for irregular the range of the errors.
   std::optional<RealBall> amount = std::nullopt;
-  /// What f₂ is off a frame of the kind named, at most: constant_offset to fixed_up.
+  /// For the kinds from constant_offset to fixed_up: the greatest angle of f₂ to a frame of that
+  /// kind.
   std::optional<RealBall> residual = std::nullopt;
-  /// v, of fixed_up; and of turned_backwards, where the reference frame is that of v.
+  /// v of fixed_up, and of turned_backwards where the reference frame is that of v.
   std::optional<Vector<Rational>> up = std::nullopt;
 };
 
-/// Frames are recognised as of some kind where they are proved to be so to within this angle, in
-/// radians, and to within 1/100 of what that is to explain: of the offset, or of the range of the
-/// errors. Whatever the tolerance of the verdict is.
+/// Frames are recognised as of some kind where that is proved to within this angle in radians, and
+/// to within 1/100 of what it is to explain, the offset or the range of the errors. The tolerance
+/// of the verdict does not matter.
 inline const Rational recognition_tolerance{1, 100'000};
 
-/// What is said of frames; its lists have one element for each.
+/// The verdict on frames. Its lists have one element for each frame.
 struct FrameVerdict {
   bool passes;  ///< is everything within the tolerance?
   /// The angle of f₂ to the exact f₂, in balls around numbers of about [−π, π]; no value where f₂
@@ -91,15 +92,15 @@ struct FrameVerdict {
   std::size_t worst_sample;  ///< a sample where it is reached, as far as the balls tell
   RealBall orthogonality;    ///< the largest
   RealBall length;           ///< the largest
-  /// What f₂ turns by from the first sample to the last, from sample to sample by less than half a
-  /// turn and without flips, over the arc length.
+  /// The angle by which f₂ turns from the first sample to the last, over the arc length. From
+  /// sample to sample it turns by less than half a turn; flips are left out.
   std::optional<RealBall> drift;
-  /// What is wrong; none of frames that pass and need no remark.
+  /// The faults. Frames that pass and need no remark have none.
   std::vector<FrameFinding> findings;
 };
 
-/// The number of different t. Without a start angle one says nothing: the first sample agrees with
-/// itself.
+/// The number of different t. With one t and no start angle nothing is compared: the first sample
+/// agrees with itself.
 PHRAME_API std::size_t number_of_parameters(const std::vector<GivenFrame>& frames);
 
 /// The exact frames that others are compared with.

@@ -44,7 +44,7 @@ struct Offset {
 PHRAME_API Offset offset(const PhPath& path, const Rational& d,
                          OffsetJoin join = OffsetJoin::round);
 
-/// The offset as paths, each as long as can be: it is cut where it is not joined, and where it
+/// The offset, in as few paths as possible: it is cut where pieces are not joined, and where it
 /// turns back at a joint. Straight pieces are PH curves.
 PHRAME_API std::vector<Path> paths(const Offset& offset);
 
@@ -54,8 +54,9 @@ struct OffsetCusp {
   RealAlgebraic t;    ///< of it; 0 where it is at a joint
   bool turns_back;    ///< does the sign of 1 + dκ change?
 };
-/// All of them, along the offset, isolated by Sturm's theorem. At joints, where the curvature may
-/// jump, the offset may turn back though 1 + dκ ≠ 0 on either side: that is one of them, too.
+/// All cusps, in their order along the offset, isolated by Sturm's theorem. At a joint, where the
+/// curvature may jump, the offset may turn back though 1 + dκ ≠ 0 on either side: such a joint is
+/// one of them.
 PHRAME_API std::vector<OffsetCusp> cusps(const Offset& offset);
 
 }  // namespace phrame

@@ -19,9 +19,9 @@ struct Mesh {
 /// What the coordinates of a file are.
 enum class Coordinates { doubles, floats };
 
-/// Is it the boundary of a body: does each side of a triangle lie opposite to just one other?
-/// Decided by the numbers of the points, each below that of all. Cost: linear, as sides from one
-/// point are few.
+/// Is the mesh the boundary of a body: does each side of a triangle lie opposite to just one other?
+/// Decided by the numbers of the points, which are below the number of points. Cost: linear, as few
+/// sides start in one point.
 PHRAME_API bool is_watertight(const Mesh& mesh);
 /// The number of the first triangle without an area, its corners being on one line or the same:
 /// decided exactly, for the coordinates as they are.

@@ -8,23 +8,24 @@
 
 namespace phrame {
 
-/// A point of the plane of a profile: so much along f₂, so much along f₃.
+/// A point of the plane of a profile: its coordinates along f₂ and f₃.
 using ProfilePoint = std::array<Rational, 2>;
 
 /// What is swept along a curve: a simple polygon, which may have holes and stand for a curve.
 class PHRAME_API Profile {
  public:
-  /// With these corners, in either order; that the last is the first again does not matter. The
-  /// curve that it stands for, if any, has no point farther from the polygon than the error, and
-  /// conversely, and each side has no greater angle to its part of the curve. Throws DomainError
-  /// for fewer than three corners, for two of them that are the same, and for sides that meet
-  /// elsewhere than at a corner between them; it names them. Cost: quadratic in the number of
-  /// corners, with a small constant.
+  /// The polygon with these corners, in either direction; the last may be the first again. `error`
+  /// bounds the distance of the polygon from the curve that it stands for, if any, both ways, and
+  /// `angle` that of each side from its part of the curve. Throws DomainError, which names the
+  /// corners, for fewer than three, for two that are the same, and for sides that meet elsewhere
+  /// than at a corner between them. Cost: quadratic in the number of corners, with a small
+  /// constant.
   explicit Profile(std::vector<ProfilePoint> corners, Rational error = 0, Rational angle = 0);
 
-  /// Of several rings of corners, in any order and each in either direction: one goes around all
-  /// the others, which are holes. Throws DomainError as above, naming the ring where there are
-  /// several; for rings that meet, and where none or another one goes around a ring.
+  /// The region between several rings of corners, in any order and each in either direction: one
+  /// goes around all the others, which are holes. Throws DomainError as above, naming the ring
+  /// where there are several; for rings that meet, and where no ring goes around all others or one
+  /// of these goes around another.
   static Profile of_rings(std::vector<std::vector<ProfilePoint>> rings, const Rational& error = 0,
                           const Rational& angle = 0);
 
@@ -35,7 +36,7 @@ class PHRAME_API Profile {
   const Rational& angle() const { return angle_; }
   /// The corner after this one.
   std::size_t next(std::size_t corner) const { return next_[corner]; }
-  /// Of each ring, the number of its first corner.
+  /// The number of the first corner of each ring.
   const std::vector<std::size_t>& rings() const { return rings_; }
   /// No corner is farther from the origin.
   double reach() const;

@@ -27,15 +27,16 @@ SweepPath sweep_path(const Path& path, CompiledFrames frames);
 struct SweepForm {
   Profile profile;        ///< what is swept
   SweepScale scale = {};  ///< the profile is λ(t) times as large there, λ > 0 on the path
-  /// The profile turns by so many radians against the frame, at a constant rate per length.
+  /// The angle in radians by which the profile turns against the frame, at a constant rate per
+  /// length.
   double turn = 0;
-  /// No point of the surface is farther from that of the mesh, and conversely; or so many sections,
-  /// at equal steps of t.
+  /// The greatest distance between the points of the surface and those of the mesh, both ways; or
+  /// the number of sections, at equal steps of t.
   std::variant<Rational, long> tolerance_or_sections;
-  /// With a tolerance: the normal of a triangle is within so many radians, < π/2, of those of the
-  /// part of the surface that it stands for.
+  /// With a distance: the greatest angle in radians, < π/2, between the normal of a triangle and
+  /// those of the part of the surface that it stands for.
   std::optional<double> normal_tolerance = {};
-  /// From where the coordinates of the mesh are; near the body where there is none.
+  /// The origin of the coordinates of the mesh. Without it, a place near the body is taken.
   std::optional<Vector<Rational>> origin = Vector<Rational>{};
   Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
 };

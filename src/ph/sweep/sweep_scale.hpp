@@ -6,7 +6,7 @@
 
 namespace phrame {
 
-/// λ along a path: how many times as large a profile is.
+/// λ along a path, by which a profile is scaled.
 class PHRAME_API SweepScale {
  public:
   SweepScale() : SweepScale(RationalFunction(Polynomial{1})) {}  ///< 1

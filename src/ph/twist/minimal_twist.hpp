@@ -17,9 +17,9 @@ namespace phrame {
 /// it.
 class PHRAME_API MinimalTwist {
  public:
-  /// Whole turns in θ_f − θ_i do not count, however many: where both are known exactly they are
-  /// left out before anything is rounded. With `extra_turns` ≠ 0 the frame makes that many more
-  /// revolutions. Throws DomainError for the angle to a Frenet frame.
+  /// Any number of whole turns in θ_f − θ_i does not count; where both are known exactly, whole
+  /// turns are left out before anything is rounded. With `extra_turns` ≠ 0 the frame makes that
+  /// many more revolutions. Throws DomainError for the angle to a Frenet frame.
   MinimalTwist(const PathAngle& rmf, StartAngle from, StartAngle to,
                const Integer& extra_turns = 0);
   MinimalTwist(const MinimalTwist&) = default;
@@ -35,18 +35,19 @@ class PHRAME_API MinimalTwist {
   const Real& nominal_twist() const { return nominal_; }  ///< T
   /// T_min, plus 2π·extra_turns; exact where it is 0.
   const Real& twist() const { return twist_; }
-  /// As ReducedAngle has it, of T_min.
+  /// ReducedAngle::half_turn_within of T_min.
   const std::optional<Rational>& half_turn_within() const { return half_turn_within_; }
   Real rate() const;                                ///< the turn per unit of length: Ω̄₁
   const PathAngle& rmf() const { return rmf_; }     ///< θ_RMF
   const Path& path() const { return rmf_.path(); }  ///< along which it is
   /// θ(end) = θ_f + 2π·this.
   const Integer& turns_at_end() const { return turns_at_end_; }
-  /// (θ(end) − θ(0))/2π, where it is a whole number: decided exactly, if both angles are known so.
+  /// (θ(end) − θ(0))/2π, where that is a whole number: decided exactly if both angles are known
+  /// exactly.
   std::optional<Integer> whole_turns_of_theta() const;
 
-  /// Whether it is t = 1/2 of a single curve that half a turn maps to itself, which is
-  /// is_turned_over_by_half_turn(): there half of both integrals is behind, so that θ is
+  /// Is the place t = 1/2 of a single curve that half a turn maps to itself
+  /// (is_turned_over_by_half_turn())? There both integrals have half of their values, so that θ is
   /// (θ_i + θ(end))/2, and some components of the frame may be exactly 0.
   bool is_middle(const Place& at) const;
   /// @{ θ there. At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the
@@ -55,7 +56,7 @@ class PHRAME_API MinimalTwist {
   Real value(const Place& at) const { return value_less(0, at); }
   Real value(const Rational& t) const;
   /// @}
-  /// The same less whole turns, so many that θ_i is in (−π, π]: what f₂ and f₃ depend on.
+  /// The same less as many whole turns as take θ_i to (−π, π]: f₂ and f₃ depend on that only.
   Real reduced_value(const Place& at) const { return value_less(turns_at_start_, at); }
 
  private:
@@ -74,14 +75,14 @@ class PHRAME_API MinimalTwist {
   Integer turns_at_end_ = 0;
 };
 
-/// Between these ends; a vector, and the LeastRotation, of `to` is that at the end. Without `to`
-/// the path is closed, and the frame ends as it starts. Throws DomainError as start_angle(), and
-/// where there is no `to` and the path is not closed.
+/// The minimal twist between these ends; a vector, and the LeastRotation, of `to` is one at the
+/// end. Without `to` the path is closed, and the frame ends as it starts. Throws DomainError as
+/// start_angle(), and where there is no `to` and the path is not closed.
 PHRAME_API MinimalTwist minimal_twist(const PathAngle& rmf, const FrameStart& from,
                                       const std::optional<FrameStart>& to,
                                       const Integer& extra_turns = 0);
 
-/// The frame of minimal twist there.
+/// The frame of minimal twist at a place.
 PHRAME_API Frame<Real> minimal_twist_frame(const MinimalTwist& twist, const Place& at);
 
 }  // namespace phrame

@@ -68,8 +68,9 @@ struct TwistMinimum {
   bool is_for_both_signs;  ///< of γ; else among those with its sign
 };
 
-/// What is known of a rotation being the best of its degree. Where there is one for each sign of γ,
-/// it is the one whose frame turns by T, and the better one if that is both or neither.
+/// Whether a rotation is proved to be the best of its degree. Where there is one for each sign of
+/// γ, the best is the one whose frame turns by T, and the better of both if that is true of both or
+/// of neither.
 struct BestTwist {
   RationalTwist twist;  ///< the best that was found
   /// Where it is proved: the best of all, or, if the other one is better, of those with its sign.
@@ -79,7 +80,7 @@ struct BestTwist {
   std::optional<RationalTwist> other;
 };
 
-/// Which rotations are looked for, and how exactly.
+/// The rotations that are looked for, and how exactly.
 struct RationalTwistOptions {
   long degree = 2;                     ///< of w, 1 to 8
   EndRates rates = EndRates::matched;  ///< of degree ≥ 2

@@ -9,12 +9,11 @@ struct Subdivision {
   std::vector<Rational> at;     ///< parameters of the path
   bool at_inflections = false;  ///< of the Euler–Rodrigues frame, where it turns back
   bool at_extrema = false;      ///< of its rate ω₁ [Farouki, Moon 2018, (17), (18)]
-  /// Pieces along which the frame turns back, or more than it should, are divided at the points of
-  /// the two kinds above in them, and if there are none in the middle, until there is no such
-  /// piece.
+  /// Divide pieces along which the frame turns back, or turns more than it should, at their
+  /// inflections and extrema, and where there are none in the middle, until there is no such piece.
   bool until_monotone = false;
-  /// Pieces are divided in the middle until the root mean square of Ω₁ − Ω̄₁ over |Ω̄₁|, or times
-  /// the length of the curve where Ω̄₁ = 0, is at most this.
+  /// Divide pieces in the middle until the root mean square of Ω₁ − Ω̄₁ is at most this: relative
+  /// to |Ω̄₁|, or where Ω̄₁ = 0 times the length of the curve.
   std::optional<Rational> tolerance = {};
 };
 
@@ -26,9 +25,10 @@ struct TwistFrame {
   std::vector<BestTwist> pieces;  ///< from the start of the path to its end
 };
 
-/// Irrational points are taken as rational numbers within 2^−options.bits of them. Throws
-/// DomainError as twist_pieces() and best_twist() do, and where the angle is not that to the
-/// Euler–Rodrigues frame; Undecided where 1000 pieces are not enough.
+/// The rational frame next to the frame of minimal twist, piece by piece. Irrational points of
+/// division are replaced by rational numbers within 2^−options.bits of them. Throws DomainError as
+/// twist_pieces() and best_twist() do, and where the angle is not that to the Euler–Rodrigues
+/// frame; Undecided where 1000 pieces are not enough.
 PHRAME_API TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOptions& options,
                                   const Subdivision& subdivision);
 
@@ -36,11 +36,11 @@ PHRAME_API TwistFrame twist_frame(const MinimalTwist& mtf, const RationalTwistOp
 /// DomainError outside.
 PHRAME_API Real value(const TwistFrame& frame, const Real& t);
 
-/// Of one piece: `no` where Ω₁ changes its sign.
+/// Has Ω₁ one sign along this piece? `no` where it changes its sign.
 PHRAME_API Monotone is_monotone(const RationalTwist& twist);
 /// The same by the sign changes of Ω₁.
 PHRAME_API Monotone is_monotone(const SignChanges& changes);
-/// Of the whole frame: all pieces, with the same sign.
+/// Has Ω₁ the same sign along all pieces?
 PHRAME_API Monotone is_monotone(const TwistFrame& frame);
 
 /// An error of Ω₁ times the length of its piece, as a share of |Ω̄₁|; where that is 0, times the
