@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "phrame/algebra/as_written.hpp"
@@ -17,6 +18,8 @@
 #include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/scale.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -31,6 +34,7 @@ struct Task {
 struct KindRow {
   NamedKind named;
   bool takes_accelerations = false;
+  bool takes_poses = false;
   Construction (*construct)(const Task& task);
   /// Is the law true of it, decided exactly? None where there is no law.
   bool (*obeys_law)(const PhPath& path, bool is_closed) = nullptr;
@@ -72,6 +76,7 @@ const std::vector<KindRow>& rows() {
                  .name = "quintic",
                  .what = "C1 splines of PH quintics",
                  .continuity = Continuity::c1},
+       .takes_poses = true,
        .construct =
            [](const Task& t) {
              return quintic_spline(t.data, t.query.choice, t.tolerance, t.query.points);
@@ -139,6 +144,63 @@ ConstructionAnswer::Segment measured(const Curve& curve, std::optional<FreeAngle
   return {std::move(angles), arc_length(curve)(1), proved_energy(curve)};
 }
 
+/// The orientations at the joints that are points of the data; there may be others between them.
+FrameThrough frame_through(const GivenPoses& poses, const HermiteSpline& data,
+                           const std::vector<Rational>& parameters) {
+  FrameThrough through{{}, poses.is_smooth, poses.tangent};
+  std::size_t joint = 0;
+  for (std::size_t k = 0; k < data.frames.size(); ++k) {
+    while (parameters[joint] != data.parameters[k]) ++joint;
+    const long turns = k == 0 || poses.turns.empty() ? 0 : poses.turns[k - 1];
+    through.joints.push_back(
+        {joint, each(rotated_j(data.frames[k]), [](const Integer& x) { return Rational(x); }),
+         turns});
+  }
+  return through;
+}
+
+/// Between two vectors ≠ 0.
+double angle_between(const Vector<double>& a, const Vector<double>& b) {
+  const Vector<double> n = cross(a, b);
+  return std::atan2(std::sqrt(dot(n, n)), dot(a, b));
+}
+
+/// Of all tangents to the chords beside them, the mean.
+double angle_to_chords(const GivenPoses& poses, const HermiteSpline& data,
+                       const TangentAxis& tangent) {
+  const Rational scale = scale_for_doubles(size_of_points(data));
+  double sum = 0;
+  for (std::size_t k = 0; k < data.segments(); ++k) {
+    const Vector<double> chord = scaled_to_doubles(scale, data.points[k + 1] - data.points[k]);
+    for (const std::size_t j : {k, k + 1}) {
+      const auto frame = frame_rotation(poses.bodies[j % poses.bodies.size()].rotation, tangent);
+      const Rational size = norm(frame);
+      const auto axis =
+          each(rotated_i(frame), [&](const Integer& x) { return Rational(x / size); });
+      sum += angle_between(scaled_to_doubles(1, axis), chord);
+    }
+  }
+  return sum / (2 * static_cast<double>(data.segments()));
+}
+
+/// An axis is better by far where the angle is less than a third, or that of the one asked for is
+/// beyond a right angle.
+ConstructionAnswer::Poses facts_of(const GivenPoses& poses, const HermiteSpline& data) {
+  ConstructionAnswer::Poses facts{};
+  for (const Orientation& body : poses.bodies) facts.off = std::max(facts.off, body.off);
+  facts.angle = facts.better_angle = angle_to_chords(poses, data, poses.tangent);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool is_reversed : {false, true}) {
+      const double angle = angle_to_chords(poses, data, {axis, is_reversed});
+      if (angle < facts.better_angle) {
+        facts.better_angle = angle;
+        facts.better = TangentAxis{axis, is_reversed};
+      }
+    }
+  if (facts.angle < 3 * facts.better_angle || facts.angle < 0.5) facts.better.reset();
+  return facts;
+}
+
 }  // namespace
 
 const std::vector<NamedKind>& curve_kinds() {
@@ -160,6 +222,9 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (given.accelerations.empty() && row->takes_accelerations)
     throw InputError(fmt::format(
         "the kind {} wants accelerations; for points only there is the kind c2", row->named.name));
+  if (given.poses && !row->takes_poses)
+    throw InputError(
+        fmt::format("the kind {} takes no orientations; quintic does", row->named.name));
   if (row->named.is_through_points && query.is_closed)
     for (const auto& [place, list] :
          {std::pair("/derivatives", &given.derivatives), std::pair("/tangents", &given.tangents)})
@@ -190,7 +255,13 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
     segments.push_back(measured(found.path.segments()[k], found.angles.empty()
                                                               ? std::nullopt
                                                               : std::optional(found.angles[k])));
-  return {{given.name, std::move(found.path)},
+  NamedPhPath named(given.name, std::move(found.path));
+  std::optional<ConstructionAnswer::Poses> poses;
+  if (given.poses) {
+    named.frame = frame_through(*given.poses, data, found.parameters);
+    poses = facts_of(*given.poses, data);
+  }
+  return {std::move(named),
           row->named,
           query.choice,
           query.solution,
@@ -202,6 +273,7 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
           tolerance,
           found.deviation,
           found.bits,
+          poses,
           std::move(segments)};
 }
 

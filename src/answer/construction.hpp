@@ -70,9 +70,20 @@ struct ConstructionAnswer {
   DerivativeSource derivatives_from;
   ParameterSource parameters_from;
   /// @}
-  Deviation tolerance;            ///< what was asked for, as distances
-  Deviation deviation;            ///< proved bounds
-  long bits;                      ///< of the preimages' common denominator, a power of 2
+  Deviation tolerance;  ///< what was asked for, as distances
+  Deviation deviation;  ///< proved bounds
+  long bits;            ///< of the preimages' common denominator, a power of 2
+  /// What is said of poses.
+  struct Poses {
+    /// As Orientation::off, the greatest of them.
+    Rational off;
+    /// The tangent axis by which the tangents are nearest to the chords at their points, where that
+    /// is another one, by far: it may have been meant.
+    std::optional<TangentAxis> better;
+    double angle;         ///< the mean of the tangents to the chords, in radians
+    double better_angle;  ///< by the other axis
+  };
+  std::optional<Poses> poses;     ///< where they were given
   std::vector<Segment> segments;  ///< one after the other
 };
 

@@ -205,10 +205,9 @@ const Frame<Real>& Rows::rmf(const Place& at) {
 }
 
 Frame<Real> Rows::of_least_twist(const Place& at) {
-  const MinimalTwist& twist = columns_.exact_mtf.value();
-  return twist.rmf().reference() == Reference::euler_rodrigues
-             ? turned(erf(at), twist.reduced_value(at))
-             : minimal_twist_frame(twist, at);
+  const PathTwist& twist = columns_.exact_mtf.value();
+  return twist.rmf().reference() == Reference::euler_rodrigues ? twist.frame(at, erf(at))
+                                                               : twist.frame(at);
 }
 
 Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {

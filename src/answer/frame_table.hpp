@@ -3,6 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
+#include "phrame/ph/twist/path_twist.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
@@ -37,7 +38,7 @@ struct TableColumns {
   std::vector<TabulatedScalar> scalars = {};  ///< a column each
   /// The frames of minimal twist where there are columns for them; for t on the spline only.
   std::optional<TwistFrame> mtf = {};
-  std::optional<MinimalTwist> exact_mtf = {};  ///< likewise
+  std::optional<PathTwist> exact_mtf = {};  ///< likewise
   /// Where the rotation-minimizing frame starts.
   FrameStart start = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.

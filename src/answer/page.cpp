@@ -195,6 +195,13 @@ void add_decided(PageAnswer& page, const NamedPath& named, const FrameStart& fro
   page.compiled = compiled_if_short(named, CompiledQuery{.start = from});
 }
 
+/// Through the orientations that come with the path, unless an end is asked for.
+PathTwist twist_of(const NamedPath& named, const PageQuery& query, const PathAngle& angle,
+                   const FrameStart& from) {
+  if (named.frame && !query.end_normal) return {angle, *named.frame};
+  return minimal_twist(angle, from, end_of_frame(query.end_normal));
+}
+
 }  // namespace
 
 PageAnswer answer(const NamedPath& named, const PageQuery& query) {
@@ -207,13 +214,13 @@ PageAnswer answer(const NamedPath& named, const PageQuery& query) {
   std::vector<TabulatedFrame> frames{
       TabulatedFrame::rmf, is_to_erf ? TabulatedFrame::euler_rodrigues : TabulatedFrame::up,
       TabulatedFrame::frenet};
-  const bool has_ends = is_closed || query.end_normal;
+  const bool has_ends = is_closed || query.end_normal || named.frame;
   if (has_ends) frames.push_back(TabulatedFrame::exact_mtf);
   std::optional<CheckAnswer> check = check_of(named, query);
   const FrameStart from = start_of(query, check);
   const StartAngle start = start_angle(from, angle);
   TableColumns columns = page_columns(frames, from);
-  if (has_ends) columns.exact_mtf = minimal_twist(angle, from, end_of_frame(query.end_normal));
+  if (has_ends) columns.exact_mtf = twist_of(named, query, angle, from);
   const auto table_at = [&](const std::vector<PathParameter>& at) {
     FrameTable table = frame_table(angle, columns, std::vector<Place>(at.begin(), at.end()));
     add_angles(table, angle, start, at);

@@ -5,7 +5,9 @@
 
 #include "phrame/answer/construction.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/io/read/frame_node.hpp"
 #include "phrame/io/read/point_file.hpp"
+#include "phrame/io/read/pose_file.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/names.hpp"
@@ -23,6 +25,11 @@ struct ConstructOptions {
   std::string tolerance;
   bool is_closed = false;
   bool exact_points = false;
+  std::string tangent_axis = "x";
+  std::string quaternion;
+  bool is_inverse = false;
+  bool is_smooth = false;
+  std::vector<std::string> turns;
   std::string print = "text";
   TextLength length;
   std::string output;
@@ -67,19 +74,65 @@ std::vector<std::string> kinds_where(const std::function<bool(const NamedKind&)>
 
 std::string curve_of(const ConstructionAnswer& answer) { return write_path(answer.path); }
 
-void run(const ConstructOptions& options) {
+/// What is asked of poses.
+const std::vector<std::string>& pose_options() {
+  static const std::vector<std::string> names{"--tangent-axis", "--quaternion", "--inverse",
+                                              "--smooth-twist", "--turns"};
+  return names;
+}
+
+PoseReading pose_reading(const Command& command, const ConstructOptions& options) {
+  PoseReading reading{{}, {}, options.is_inverse, {}, options.is_smooth};
+  if (command.is_given("--tangent-axis"))
+    reading.tangent = choose("--tangent-axis", options.tangent_axis, tangent_axes());
+  using Quaternion = FrameReading::Quaternion;
+  if (!options.quaternion.empty())
+    reading.quaternion =
+        choose<Quaternion>("--quaternion", options.quaternion,
+                           {{"wxyz", Quaternion::wxyz}, {"xyzw", Quaternion::xyzw}});
+  for (const std::string& text : split(options.turns)) {
+    const Rational turns = parse_option("--turns", text);
+    if (denominator(turns) != 1 || abs(turns) > 1'000'000)
+      throw InputError("--turns", abbreviated(text) + " is no whole number, at most a million");
+    reading.turns.push_back(static_cast<long>(numerator(turns)));
+  }
+  return reading;
+}
+
+GivenPoints given_points(const Command& command, const ConstructOptions& options,
+                         const std::string& bytes) {
+  const bool are_poses = command.is_given("--tangent-axis") || is_pose_file(bytes);
+  if (are_poses) return read_poses(bytes, pose_reading(command, options), options.reading);
+  command.refuse(pose_options(), "is for poses: --tangent-axis says that a table has them");
+  return read_points(bytes, options.reading);
+}
+
+/// Where another axis is so much nearer to the chords that it may have been meant.
+void note_on_axis(const ConstructionAnswer& answer, const std::string& file) {
+  if (!answer.poses || !answer.poses->better) return;
+  constexpr double degree = 0.017453292519943295;
+  note(
+      fmt::format("{}: the axis {} of the poses is {:.0f} degrees off the chords in the mean, the "
+                  "axis {} {:.0f}: --tangent-axis{}{} takes that",
+                  file, name_of(answer.path.frame->axis), answer.poses->angle / degree,
+                  name_of(*answer.poses->better), answer.poses->better_angle / degree,
+                  answer.poses->better->is_reversed ? "=" : " ", name_of(*answer.poses->better)));
+}
+
+void run(const Command& command, const ConstructOptions& options) {
   const auto print = choose<std::string (*)(const ConstructionAnswer&)>(
       "--print", options.print,
       {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", curve_of}});
   const ConstructQuery asked = query(options);
   const std::string bytes = read_file(options.data);
   const std::string file = name_of_file(options.data);
-  GivenPoints given = at_place(file, ":", [&] { return read_points(bytes, options.reading); });
+  GivenPoints given = at_place(file, ":", [&] { return given_points(command, options, bytes); });
   if (asked.is_closed && !given.parameter_column.empty() &&
       given.points.front() != given.points.back())
     leave_parameters_out(given, "without that of the end of the closed curve");
   for (const std::string& text : notes_on_columns(given)) note(fmt::format("{}: {}", file, text));
   const ConstructionAnswer found = at_place(file, ":", [&] { return answer(given, asked); });
+  note_on_axis(found, file);
   if (!options.output.empty()) write_output(options.output, curve_of(found));
   if (options.output.empty() || print != curve_of) options.length.write("-", print(found));
 }
@@ -120,6 +173,18 @@ void add_construct(Program& program) {
   command.add_flag("--exact-points", options->exact_points,
                    "meet the points exactly, by several segments between any two of them, or\n"
                    "by a multiplier");
+  command.add_choice("--tangent-axis", options->tangent_axis, keys(tangent_axes()),
+                     "the orientations of the table are met, too, of poses/1 those of the file:\n"
+                     "this axis of them is the tangent; =-x, =-y or =-z for the opposite");
+  command.add_choice("--quaternion", options->quaternion, {"wxyz", "xyzw"},
+                     "of poses: the order of the columns (default: as they are named, else xyzw)");
+  command.add_flag("--inverse", options->is_inverse, "of poses: they turn the world to the body");
+  command.add_flag("--smooth-twist", options->is_smooth,
+                   "of poses: the frame turns about the tangent by a C2 cubic spline of the arc\n"
+                   "length, of the least integral of its squared rate's derivative; else evenly\n"
+                   "from pose to pose, which is the least twist");
+  command.add_list("--turns", "K,...", options->turns,
+                   "of poses: so many revolutions more from each to the next");
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
@@ -138,8 +203,9 @@ void add_construct(Program& program) {
       "  phrame construct points.csv -o spline.json\n"
       "  phrame construct hermite.json --select energy --tolerance 1e-40 -o curve.json\n"
       "  phrame construct knot.csv --kind rmf --closed --print json\n"
+      "  phrame construct poses.tum --tangent-axis x -o path.json\n"
       "  phrame construct points.csv --print curve | phrame frames - --samples 101");
-  command.does([options] { run(*options); });
+  command.does([&command, options] { run(command, *options); });
 }
 
 }  // namespace phrame::cli

@@ -142,17 +142,27 @@ bool has_twist_frames(const TableColumns& columns) {
   return has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
 }
 
-/// Adds the frames of minimal twist that there are columns for. The angles at their ends are those
-/// to the Euler–Rodrigues frame where the rational one is among them, of which it is a turn.
-void add_twist_frames(TableColumns& columns, const TwistOptions& options, const PathAngle& angle) {
-  const auto [from, to] = options.ends(angle.path());
+/// Adds the frames of minimal twist that there are columns for: through the orientations that come
+/// with the path, unless others are asked for. The angles at their ends are those to the
+/// Euler–Rodrigues frame where the rational one is among them, of which it is a turn.
+void add_twist_frames(TableColumns& columns, const TwistOptions& options, const NamedPath& named,
+                      const PathAngle& angle) {
   const bool is_rational = has_frame(columns, TabulatedFrame::mtf);
-  columns.exact_mtf =
+  if (named.frame && !options.has_ends()) {
+    columns.exact_mtf.emplace(angle, *named.frame);
+    if (is_rational)
+      throw InputError("--frame",
+                       "\"mtf\" is between two ends; the frame through the orientations "
+                       "of the file is mtf-exact");
+    return;
+  }
+  const auto [from, to] = options.ends(angle.path());
+  const MinimalTwist twist =
       minimal_twist(is_rational ? PathAngle(angle.path()) : angle, from, to, options.turns);
+  columns.exact_mtf = twist;
   if (!is_rational) return;
   constexpr long digits = 17;
-  columns.mtf =
-      twist_frame(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
+  columns.mtf = twist_frame(twist, options.rotation(digits), options.subdivision(angle.path()));
 }
 
 template <class Make>
@@ -180,7 +190,7 @@ TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
   require_frames(columns, angle);
   options.start.check(path, angle.reference());
   const bool has_twist = has_twist_frames(columns);
-  if (has_twist) add_twist_frames(columns, options.twist, angle);
+  if (has_twist) add_twist_frames(columns, options.twist, named, angle);
   std::vector<Rational> numbers;
   std::vector<Place> at;
   if (by == By::parameter) {

@@ -22,6 +22,10 @@ struct TwistOptions {
   static std::vector<std::string> of_ends();
   static std::vector<std::string> of_rational_frame();
 
+  /// Are there any about θ_i and θ_f?
+  bool has_ends() const {
+    return from || to || from_vector || to_vector || is_closed || turns != 0;
+  }
   /// As minimal_twist() has them. Throws InputError where one is given twice, or by a vector along
   /// the tangent, and DomainError for --closed of a path that is not.
   std::pair<FrameStart, std::optional<FrameStart>> ends(const Path& path) const;

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/bspline_node.hpp"
 #include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/frame_node.hpp"
 #include "phrame/io/read/geomdl_file.hpp"
 #include "phrame/io/read/godot_file.hpp"
 #include "phrame/io/read/npy.hpp"
@@ -53,7 +54,7 @@ void append_given(GivenSegments& segments, const JsonNode& node, const CurveLimi
 }
 
 GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& limits) {
-  spline.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
+  spline.require_known_keys({"phrame", "name", "segments", "frame", "note", "family", "expected"});
   const JsonNode list = spline.at("segments");
   list.require(JsonNode::Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");
@@ -132,8 +133,11 @@ bool is_scipy_list(std::string_view text) {
 NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   const std::string format = format_at(node, "curve/1");
   refuse_long_numbers(node);
-  if (format == "spline/1")
-    return path_of(read_name(node), read_spline_segments(node, limits), limits.gap);
+  if (format == "spline/1") {
+    NamedPath path = path_of(read_name(node), read_spline_segments(node, limits), limits.gap);
+    path.frame = read_frame_through(node, path.path.segments().size());
+    return path;
+  }
   if (format == "bspline/1" || format == "nurbs/1")
     return path_of(read_name(node), read_bspline(node, limits), limits.gap);
   if (format == "points/1") return path_of_points(read_point_curve(node), limits);

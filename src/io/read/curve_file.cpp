@@ -6,6 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/frame_node.hpp"
 #include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/ph/construct/bezier_points.hpp"
@@ -70,7 +71,7 @@ void append_segment(PhPath& path, const Node& node, const CurveLimits& limits) {
 }
 
 std::vector<Node> read_segments(const Node& spline) {
-  spline.require_known_keys({"phrame", "name", "segments", "note", "family", "expected"});
+  spline.require_known_keys({"phrame", "name", "segments", "frame", "note", "family", "expected"});
   const Node list = spline.at("segments");
   list.require(Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");
@@ -89,6 +90,7 @@ NamedPhPath read_spline(const Node& node, const CurveLimits& limits) {
   NamedPhPath result{read_name(node), PhPath(read_any_curve(segments[0], limits).curve)};
   for (std::size_t k = 1; k < segments.size(); ++k)
     append_segment(result.path, segments[k], limits);
+  result.frame = read_frame_through(node, segments.size());
   return result;
 }
 

@@ -35,6 +35,8 @@ const char* name_of(DerivativeSource source) {
       return "given";
     case DerivativeSource::tangents:
       return "tangents given, speeds of the chords";
+    case DerivativeSource::poses:
+      return "tangents of the poses, speeds of the chords";
     case DerivativeSource::natural_spline:
       return "natural C2 cubic spline";
     case DerivativeSource::periodic_spline:
@@ -132,6 +134,27 @@ Fields choice_fields(const ConstructionAnswer& answer) {
   return {json_field("solution", answer.solution), json_field("solutions", answer.kind.solutions)};
 }
 
+/// "met exactly; tangent z, turning evenly between"
+Field orientations_field(const ConstructionAnswer& answer) {
+  const auto words = [&answer](Notation notation) {
+    const FrameThrough& frame = *answer.path.frame;
+    const Rational& off = answer.poses->off;
+    return fmt::format(
+        "met exactly{}; tangent: {}; between them: {}",
+        off == 0 ? ""
+                 : fmt::format(", as rotations within {} of those given, proved",
+                               upper_bound_words(off, notation)),
+        name_of(frame.axis),
+        frame.is_smooth ? "a turn by a cubic spline of the length" : "the least turn, evenly");
+  };
+  const auto json = [&answer] {
+    return JsonOutput{{"off", upper_bound_text(answer.poses->off)},
+                      {"tangent_axis", name_of(answer.path.frame->axis)},
+                      {"twist", answer.path.frame->is_smooth ? "smooth" : "even"}};
+  };
+  return {"orientations", "orientations", {Value::Words(words), Value::Json(json)}};
+}
+
 /// How near the curve is to its data.
 Fields deviation_rows(const ConstructionAnswer& answer) {
   const auto& [deviation, tolerance] = std::pair(answer.deviation, answer.tolerance);
@@ -144,6 +167,7 @@ Fields deviation_rows(const ConstructionAnswer& answer) {
                     deviation.derivatives, tolerance.derivatives));
   if (!answer.data.accelerations.empty())
     rows.push_back(bound_field("accelerations", deviation.accelerations, tolerance.accelerations));
+  if (answer.poses) rows.push_back(orientations_field(answer));
   return rows;
 }
 

@@ -154,14 +154,14 @@ std::string to_latex(const PathIdentification& found) {
 }
 
 std::string to_json(const PathIdentification& found) {
-  const auto& [name, path, near, notes] = found.path;
-  JsonOutput json = {{"phrame", "identify/1"}, {"name", name}, {"ph", !near}};
+  const auto& near = found.path.near;
+  JsonOutput json = {{"phrame", "identify/1"}, {"name", found.path.name}, {"ph", !near}};
   if (near) {
     json["near"] = {{"epsilon", to_string(near->epsilon)}, {"found", true}};
     json["near"].update(json_of(*near));
   }
-  json["segments"] =
-      array_of(path.segments(), [](const Curve& curve) { return json_of(curve_fields(curve)); });
+  json["segments"] = array_of(found.path.path.segments(),
+                              [](const Curve& curve) { return json_of(curve_fields(curve)); });
   return pretty(json);
 }
 

@@ -270,9 +270,21 @@ JsonOutput segment_json(const Segment& segment) {
 
 }  // namespace
 
+JsonOutput json_of(const FrameThrough& frame) {
+  JsonOutput through = JsonOutput::array();
+  for (const auto& [joint, f2, turns] : frame.joints) {
+    through.push_back({{"t", joint}, {"f2", json_of(f2)}});
+    if (turns != 0) through.back()["turns"] = turns;
+  }
+  JsonOutput json = {{"through", std::move(through)},
+                     {"twist", frame.is_smooth ? "smooth" : "even"}};
+  if (frame.axis != TangentAxis()) json["tangent_axis"] = name_of(frame.axis);
+  return json;
+}
+
 JsonOutput json_of(const NamedPath& named) {
   const auto& list = named.path.segments();
-  const bool is_single = list.size() == 1;
+  const bool is_single = list.size() == 1 && !named.frame;
   JsonOutput json = {{"phrame", is_single ? "curve/1" : "spline/1"}};
   if (!named.name.empty()) json["name"] = named.name;
   add_note(json, named.near);
@@ -289,6 +301,7 @@ JsonOutput json_of(const NamedPath& named) {
     segments.push_back(std::move(part));
   }
   json["segments"] = std::move(segments);
+  if (named.frame) json["frame"] = json_of(*named.frame);
   return json;
 }
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "phrame/ph/construct/bezier_points.hpp"
-#include "phrame/ph/construct/spline_slopes.hpp"
+#include "phrame/ph/curve/spline_slopes.hpp"
 
 namespace phrame {
 

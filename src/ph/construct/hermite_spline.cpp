@@ -9,9 +9,10 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage.hpp"
-#include "phrame/ph/construct/spline_slopes.hpp"
 #include "phrame/ph/curve/gap.hpp"
 #include "phrame/ph/curve/scale.hpp"
+#include "phrame/ph/curve/spline_slopes.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
 namespace {
@@ -121,10 +122,27 @@ std::vector<Vector<Rational>> scaled_tangents(const std::vector<Vector<Rational>
   return result;
 }
 
+/// Along e₁ of the frame, of length 1.
+Vector<Rational> tangent_of(const Quaternion<Integer>& frame) {
+  const Rational size = norm(frame);
+  return each(rotated_i(frame), [&](const Integer& x) { return Rational(x / size); });
+}
+
 /// The list of a closed spline, with the first entry at the end.
 template <class T>
 void close(std::vector<T>& list) {
   if (!list.empty()) list.push_back(list.front());
+}
+
+/// The last is the first, as a rotation, to within some units of doubles; then it is made that.
+void require_same_orientation(std::vector<Quaternion<Integer>>& frames) {
+  if (frames.empty()) return;
+  const Quaternion<Integer> turn = conjugate(frames.front()) * frames.back();
+  const Integer square = turn.v * turn.v + turn.p * turn.p + turn.q * turn.q;
+  if (square > power_of_two(-96) * norm(turn))
+    throw DomainError(
+        "the closed curve ends with another orientation than it starts with, at the same point");
+  frames.back() = frames.front();
 }
 
 }  // namespace
@@ -132,6 +150,7 @@ void close(std::vector<T>& list) {
 DerivativeSource derivative_source(const GivenPoints& given, bool is_closed) {
   if (!given.derivatives.empty()) return DerivativeSource::given;
   if (!given.tangents.empty()) return DerivativeSource::tangents;
+  if (given.poses) return DerivativeSource::poses;
   return is_closed ? DerivativeSource::periodic_spline : DerivativeSource::natural_spline;
 }
 
@@ -145,6 +164,9 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
   HermiteSpline data{given.points, given.derivatives, given.parameters, is_closed,
                      given.accelerations};
   std::vector<Vector<Rational>> tangents = given.tangents;
+  if (given.poses)
+    for (const Orientation& body : given.poses->bodies)
+      data.frames.push_back(frame_rotation(body.rotation, given.poses->tangent));
   if (is_closed && close_to_rounding(data.points))
     for (auto* list : {&data.derivatives, &data.accelerations, &tangents}) close_to_rounding(*list);
   if (is_closed && data.points.front() != data.points.back()) {
@@ -152,6 +174,7 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
     close(data.derivatives);
     close(data.accelerations);
     close(tangents);
+    close(data.frames);
   } else if (is_closed) {
     const auto require_same = [](const auto& list, std::string_view name) {
       if (!list.empty() && list.front() != list.back())
@@ -161,7 +184,9 @@ HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed) {
     require_same(data.derivatives, "derivative");
     require_same(data.accelerations, "acceleration");
     require_same(tangents, "tangent");
+    require_same_orientation(data.frames);
   }
+  for (const Quaternion<Integer>& frame : data.frames) tangents.push_back(tangent_of(frame));
   const std::size_t count = data.points.size();
   if (!data.parameters.empty() && data.parameters.size() != count)
     throw DomainError(fmt::format(

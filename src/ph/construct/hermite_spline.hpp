@@ -16,6 +16,9 @@ struct HermiteSpline {
   bool is_closed = false;  ///< is the last joint the first?
   /// Second derivatives with respect to the parameter, where they are given: one for each, too.
   std::vector<Vector<Rational>> accelerations = {};
+  /// Of poses the rotations of their frames (frame_rotation()), one for each, too: derivatives are
+  /// along their e₁, exactly.
+  std::vector<Quaternion<Integer>> frames = {};
 
   /// How many there are between the points.
   std::size_t segments() const { return points.size() - 1; }
@@ -24,7 +27,7 @@ struct HermiteSpline {
 };
 
 /// Where the derivatives of a spline come from.
-enum class DerivativeSource { given, tangents, natural_spline, periodic_spline };
+enum class DerivativeSource { given, tangents, poses, natural_spline, periodic_spline };
 /// The same of the parameters.
 enum class ParameterSource { given, whole_numbers, chord_lengths };
 /// @{ Where hermite_spline() takes them from.
@@ -32,13 +35,14 @@ PHRAME_API DerivativeSource derivative_source(const GivenPoints& given, bool is_
 PHRAME_API ParameterSource parameter_source(const GivenPoints& given);
 /// @}
 
-/// What the points given mean: derivatives as they are; tangents with the speed of the chords on
-/// both sides; else the derivatives of the C² cubic spline, natural or periodic, rounded to 40
-/// bits. Parameters as they are; else 0, 1, 2, … where derivatives are given, and sums of chord
-/// lengths, rounded to 12 bits each, where they are not. A closed spline ends at its first point,
-/// which is appended unless it is given at the end, perhaps rounded (close_to_rounding()).
-/// Throws DomainError where two successive points are equal and their distance is needed, and where
-/// a closed spline does not end with the first derivative.
+/// What the points given mean: derivatives as they are; tangents, and those of poses, with the
+/// speed of the chords on both sides; else the derivatives of the C² cubic spline, natural or
+/// periodic, rounded to 40 bits. Parameters as they are; else 0, 1, 2, … where derivatives are
+/// given, and sums of chord lengths, rounded to 12 bits each, where they are not. A closed spline
+/// ends at its first point, which is appended unless it is given at the end, perhaps rounded
+/// (close_to_rounding()). Throws DomainError where two successive points are equal and their
+/// distance is needed, and where a closed spline does not end with the first derivative, or
+/// orientation.
 PHRAME_API HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
 
 /// Throws DomainError where a derivative is 0 at a joint, so that the tangent would break there,

@@ -22,6 +22,10 @@
 //   |S(Q_k, Q_k) − d_k| ≤ (2|Q_k| + δ)·δ,
 // whatever k is: p grows until both are within the tolerance, which is tested in fractions.
 // The coefficients are integers times δ; r_k is r_0 and multiples of h/(120·4^p).
+//
+// Where frames are given, by integer quaternions P_k, Q_k is P_k·w_k with a w_k ∈ ℤ[i] times δ:
+// Q i Q* = |w|²·P i P* has its direction exactly, and e₂ = Q j Q*/|Q|² is P j P*/|P|² turned by
+// −2 arg w, the argument of a number in ℚ(i).
 
 namespace phrame {
 namespace {
@@ -37,6 +41,7 @@ class Chain {
 
  private:
   void add(std::size_t k);
+  IntegerQuaternion rounded(const FloatQuaternion& a, std::size_t k) const;
   FloatQuaternion preimage_at(std::size_t k) const {
     return preimage(big_floats(data_.derivatives[k], bits_));
   }
@@ -55,10 +60,19 @@ class Chain {
   IntegerQuaternion first_;
 };
 
+/// 2ᵖ·a, the coefficient at point k, to integers.
+IntegerQuaternion Chain::rounded(const FloatQuaternion& a, std::size_t k) const {
+  if (data_.frames.empty()) return rounded_multiple(a, p_);
+  const IntegerQuaternion& frame = data_.frames[k];
+  const FloatQuaternion back =
+      big_floats(exact(conjugate(frame), Rational(1) / norm(frame)), bits_) * a;
+  return frame * IntegerQuaternion{back.u.scaled(p_), back.v.scaled(p_), 0, 0};
+}
+
 PreimageSpline Chain::run() {
   a0_ = preimage_at(0);
   turn_ = {BigFloat(1.0), BigFloat(0.0)};
-  first_ = q_ = rounded_multiple(a0_, p_);
+  first_ = q_ = rounded(a0_, 0);
   end_ = data_.points.front();
   meter_.derivative(exact(rotated_i(q_), step_ * step_) - data_.derivatives.front());
   for (std::size_t k = 0; k < data_.segments(); ++k) add(k);
@@ -81,7 +95,7 @@ void Chain::add(std::size_t k) {
     n = sqrt(norm(closing));
     q = turned(first_, ComplexOf<Integer>{closing.re, closing.im});
   } else {
-    q = rounded_multiple(turned(a2, turn_), p_);
+    q = rounded(turned(a2, turn_), k + 1);
   }
   const IntegerQuaternion q0 = n * q_;
   const Rational step = step_ / Rational(n);
@@ -125,7 +139,10 @@ long first_bits(const HermiteSpline& data, const Deviation& tolerance) {
                                  Rational(20 * largest(data.derivatives[k + 1]))});
     want(exponent_of_root(c) + binary_exponent(h) - 3 - binary_exponent(tolerance.points));
   }
-  return bits;
+  // What is rounded where frames are given is smaller by their size.
+  Integer size = 1;
+  for (const IntegerQuaternion& frame : data.frames) size = std::max(size, norm(frame));
+  return bits + exponent_of_root(size) - 1;
 }
 
 /// The bits of the numbers that are rounded to multiples of 2^−p, and more.

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
@@ -22,7 +23,8 @@ struct NamedPhPath {
   PhPath path;       ///< the path
   /// How near it is to the one in whose place it stands, where that is no PH path.
   std::optional<Nearness> near = {};
-  std::vector<std::string> notes = {};  ///< on how it was read, in sentences without a point
+  std::vector<std::string> notes = {};     ///< on how it was read, in sentences without a point
+  std::optional<FrameThrough> frame = {};  ///< the orientations that come with it
 
   /// A path under this name.
   NamedPhPath(std::string its_name, PhPath its_path, std::optional<Nearness> to_another = {})

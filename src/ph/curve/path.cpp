@@ -211,6 +211,7 @@ std::optional<NamedPhPath> as_ph(const NamedPath& named) {
   if (!path) return std::nullopt;
   NamedPhPath ph(named.name, *std::move(path), named.near);
   ph.notes = named.notes;
+  ph.frame = named.frame;
   return ph;
 }
 

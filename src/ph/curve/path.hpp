@@ -96,13 +96,14 @@ struct NamedPath {
   /// The parameter that its file has, at t = 0, 1, …, as knots are; between them it is a linear
   /// function of t. Empty where there is none, or it is t.
   std::vector<Real> parameters = {};
+  std::optional<FrameThrough> frame = {};  ///< the orientations that come with it
 
   /// A path under this name.
   NamedPath(std::string its_name, Path its_path)
       : name(std::move(its_name)), path(std::move(its_path)) {}
   /// @{ The same path, as one of segments of any kind.
   NamedPath(const NamedPhPath& ph)  // NOLINT(google-explicit-constructor)
-      : name(ph.name), path(ph.path), notes(ph.notes), near(ph.near) {}
+      : name(ph.name), path(ph.path), notes(ph.notes), near(ph.near), frame(ph.frame) {}
   NamedPath(const NamedCurve& curve)  // NOLINT(google-explicit-constructor)
       : NamedPath(NamedPhPath(curve)) {}
   /// @}

@@ -1,4 +1,4 @@
-#include "phrame/ph/construct/spline_slopes.hpp"
+#include "phrame/ph/curve/spline_slopes.hpp"
 
 #include "phrame/ph/construct/bezier_points.hpp"
 #include "support/random.hpp"
