@@ -10,6 +10,7 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
+#include "phrame/ph/twist/path_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -25,6 +26,7 @@ double angle_to(const Vector<double>& v, const Frame<double>& last) {
   return angle < 0x1p-44 - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// Orientations close a body where the last of them is the first.
 double turn_of(const SweepPath& path, const SweepQuery& query) {
   const Frame<double> last = frame_at_end(path);
   const double twist = round_to_double(to_real(FrameAngle(query.twist)));
@@ -35,7 +37,24 @@ double turn_of(const SweepPath& path, const SweepQuery& query) {
   if (!is_whole) throw DomainError("twist: the path is closed, only whole turns close the body");
   if (query.scale.at_start() != query.scale.at(Rational(static_cast<long>(path.series.segments))))
     throw DomainError("scale: the path is closed, and the scale differs at its ends");
-  return twist + angle_to(path.frames(0).e2, last);
+  if (!query.through) return twist + angle_to(path.frames(0).e2, last);
+  if (query.through->joints.front().f2 != query.through->joints.back().f2)
+    throw DomainError("the path is closed, and the orientations differ at its ends");
+  return twist;
+}
+
+/// How the profile turns from one of the orientations to the next.
+std::vector<SweepLeg> legs_of(const PathTwist& twist) {
+  std::vector<SweepLeg> legs;
+  for (std::size_t k = 0; k < twist.legs().size(); ++k) {
+    const auto& leg = twist.legs()[k];
+    legs.push_back({leg.end(), round_to_double(leg.twist.twist())});
+    if (!twist.is_smooth()) continue;
+    const Real even = leg.twist.rate();
+    legs.back().rate_at_start = approximate((twist.rate_at_start(k) + -even).enclose(96));
+    legs.back().rate_at_end = approximate((twist.rate_at_end(k) + -even).enclose(96));
+  }
+  return legs;
 }
 
 /// Not above it.
@@ -50,26 +69,32 @@ std::optional<double> normal_tolerance_of(const SweepQuery& query) {
   return angle * (1 - 0x1p-50);
 }
 
-SweepAnswer swept(const SweepPath& path, const SweepQuery& query) {
+SweepAnswer swept(const SweepPath& path, const SweepQuery& query, std::vector<SweepLeg> legs) {
   query.scale.require_along(path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
   // What rounding leaves of no turn is none.
   const double found = turn_of(path, query);
   const double turn = std::abs(found) > 0x1p-44 ? found : 0;
-  SweepForm form{query.profile,    query.scale,  turn,         query.tolerance_or_sections,
-                 normal_tolerance, query.origin, query.numbers};
+  SweepForm form{query.profile,    query.scale,  turn,          query.tolerance_or_sections,
+                 normal_tolerance, query.origin, query.numbers, std::move(legs)};
+  double all_turn = turn;
+  for (const SweepLeg& leg : form.legs) all_turn += leg.turn;
   if (normal_tolerance && query.profile_within)
     form.profile = query.profile_within(
         exact_rational(*normal_tolerance / (2 * side_angle_factor(path, form))));
-  return {sweep(path, form), path.is_closed, turn};
+  return {sweep(path, form), path.is_closed, all_turn};
 }
 
 }  // namespace
 
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
   const PathAngle angle = angle_to(query.up, named.path);
-  return swept(sweep_path(named.path, CompiledFrames(angle, start_angle(query.start, angle))),
-               query);
+  if (!query.through)
+    return swept(sweep_path(named.path, CompiledFrames(angle, start_angle(query.start, angle))),
+                 query, {});
+  const PathTwist twist(angle, *query.through);
+  return swept(sweep_path(named.path, CompiledFrames(angle, twist.legs().front().twist.from())),
+               query, legs_of(twist));
 }
 
 }  // namespace phrame

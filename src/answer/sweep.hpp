@@ -3,6 +3,7 @@
 
 #include "phrame/algebra/angle.hpp"
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/sweep/profile.hpp"
@@ -21,6 +22,9 @@ struct SweepQuery {
   /// smallest angle, at a constant rate, as the frame of minimal twist does. A closed path has
   /// none: it turns so that it closes.
   std::optional<Vector<Rational>> end_normal = {};
+  /// Orientations that the frame is to have, as PathTwist has them, instead of those of `start` and
+  /// `end_normal`.
+  std::optional<FrameThrough> through = {};
   Angle twist = {};       ///< a further turn, at a constant rate
   SweepScale scale = {};  ///< λ(t) > 0, by which the profile is scaled
   /// The greatest distance between mesh and surface, or the number of sections.
@@ -44,7 +48,8 @@ struct SweepAnswer {
 };
 
 /// Throws as start_angle() and sweep(), and DomainError for an end normal along the tangent or
-/// of a closed path, for a tolerance of normals that is not between 0 and π/2, or beside a number
+/// of a closed path, as PathTwist, for orientations that differ at the ends of a closed path, for a
+/// tolerance of normals that is not between 0 and π/2, or beside a number
 /// of sections, and for a closed path with a twist that is no multiple of whole turns or a
 /// scale that differs at its ends.
 PHRAME_API SweepAnswer answer(const NamedPath& named, const SweepQuery& query);

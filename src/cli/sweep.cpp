@@ -213,6 +213,7 @@ void run(const Command& command, const SweepOptions& options) {
   options.start.check(named.path, up);
   SweepQuery query = query_of(options, named.path.segments().size());
   query.up = up;
+  if (named.frame && !options.start.given() && !options.end_normal) query.through = named.frame;
   const SweepAnswer made = answer(named, query);
   write_output(options.curve.output, format(made.body.mesh));
   tell(made, options.curve.output, options.format == "glb");

@@ -13,7 +13,6 @@
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/sweep/length_share.hpp"
 #include "phrame/ph/sweep/profile_triangles.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
@@ -37,13 +36,12 @@ struct SectionList {
 
 class Tessellation {
  public:
-  Tessellation(const SweepPath& path, const SweepForm& form,
-               const std::optional<LengthShare>& share)
+  Tessellation(const SweepPath& path, const SweepForm& form, const SweepTurn& turn)
       : path_(path),
         form_(form),
         scale_(form.scale, path.series.segments),
-        sections_(path, form, share),
-        turn_per_length_(share ? form.turn / share->length() * sweep_slack : 0),
+        sections_(path, form, turn),
+        turn_(turn),
         is_against_(direction_of_motion(path) < 0) {}
 
   bool is_against() const { return is_against_; }  ///< does the path go against e₁?
@@ -79,7 +77,7 @@ class Tessellation {
   const SweepForm& form_;
   ScaleRates scale_;
   SweepSections sections_;
-  double turn_per_length_;
+  const SweepTurn& turn_;
   bool is_against_;
   /// By the segments that begin with one: does the mitre stand for the sections beside it?
   std::map<std::size_t, bool> corners_{};
@@ -101,7 +99,7 @@ void Tessellation::join_corners(double within) {
     if (corners_[k]) joint_error_ = std::max(joint_error_, farthest * sweep_slack);
   }
   if (corners_.empty()) return;
-  const bool is_prism = form_.scale.is_constant() && turn_per_length_ == 0;
+  const bool is_prism = form_.scale.is_constant() && turn_.is_zero();
   const std::vector<double> none(form_.profile.corners().size());
   const auto offset_at = [&](std::size_t k) -> const std::vector<double>& {
     const auto found = offsets.find(k % count());
@@ -138,7 +136,7 @@ bool Tessellation::has_section_behind(std::size_t corner) const {
 }
 
 SweepParts Tessellation::parts(double tolerance) const {
-  SweepParts found = sweep_parts(path_, scale_, turn_per_length_, form_.profile.reach(), tolerance);
+  SweepParts found = sweep_parts(path_, scale_, turn_, form_.profile.reach(), tolerance);
   const auto is_superfluous = [&](const SweepPart& part) {
     return is_between_mitres(part.segment) && part.from > 0;
   };
@@ -182,7 +180,7 @@ int Tessellation::direction_of_motion(const SweepPath& path) {
 
 double Tessellation::normal_error(const SweepPart& part, const SweepSection& a,
                                   const SweepSection& b) const {
-  const auto rates = sweep_rates(path_, scale_, turn_per_length_, part);
+  const auto rates = sweep_rates(path_, scale_, turn_, part);
   if (!rates) return HUGE_VAL;
   const Profile& profile = form_.profile;
   return phrame::normal_error(
@@ -415,18 +413,11 @@ void visit_motions(const SweepPath& path, const SweepSections& sections, Visit v
     for (double k = 0; k <= steps; ++k) visit(sections.motion(segment, k / steps));
 }
 
-std::optional<LengthShare> share_of(const SweepPath& path, double turn) {
-  // A turn that is only what rounding left of none is left out.
-  if (std::abs(turn) > 0x1p-44) return LengthShare(path.series);
-  return std::nullopt;
-}
-
 /// Where the profile turns or grows the normal of the surface turns along a side: so many pieces
 /// of each are enough for the tolerance, by some sections. What is enough is seen of all later.
-Profile profile_for_normals(const SweepPath& path, const SweepForm& form,
-                            const std::optional<LengthShare>& share) {
-  if (!form.normal_tolerance || (!share && form.scale.is_constant())) return form.profile;
-  const SweepSections sections(path, form, share);
+Profile profile_for_normals(const SweepPath& path, const SweepForm& form, const SweepTurn& turn) {
+  if (!form.normal_tolerance || (turn.is_zero() && form.scale.is_constant())) return form.profile;
+  const SweepSections sections(path, form, turn);
   std::vector<double> greatest(form.profile.corners().size());
   visit_motions(path, sections, [&](const SweepMotion& motion) {
     const auto turns = normal_turns(sections, motion);
@@ -434,17 +425,18 @@ Profile profile_for_normals(const SweepPath& path, const SweepForm& form,
       greatest[side] = std::max(greatest[side], turns[side]);
   });
   std::vector<long> pieces;
-  for (const double turn : greatest)
-    pieces.push_back(std::max(1L, static_cast<long>(std::ceil(4 * turn / *form.normal_tolerance))));
+  for (const double angle : greatest)
+    pieces.push_back(
+        std::max(1L, static_cast<long>(std::ceil(4 * angle / *form.normal_tolerance))));
   return subdivided(form.profile, pieces);
 }
 
 }  // namespace
 
 double side_angle_factor(const SweepPath& path, const SweepForm& form) {
-  const std::optional<LengthShare> share = share_of(path, form.turn);
-  if (!share && form.scale.is_constant()) return 1;
-  const SweepSections sections(path, form, share);
+  const SweepTurn turn(path, form);
+  if (turn.is_zero() && form.scale.is_constant()) return 1;
+  const SweepSections sections(path, form, turn);
   double greatest = 1;
   visit_motions(path, sections, [&](const SweepMotion& motion) {
     const double rate = std::abs(motion.scale_rate) + std::abs(motion.turn_rate) * motion.scale;
@@ -480,14 +472,14 @@ SweepPath sweep_path(const Path& path, CompiledFrames frames) {
 
 SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   const double scale = form.scale.greatest(path.series.segments);
-  const std::optional<LengthShare> share = share_of(path, form.turn);
+  const SweepTurn turn(path, form);
   SweepForm swept = form;
   if (!swept.origin) {
     const Vector<double> near = local_origin(places_of(path));
     swept.origin = {exact_rational(near[0]), exact_rational(near[1]), exact_rational(near[2])};
   }
-  swept.profile = profile_for_normals(path, swept, share);
-  Tessellation tessellation(path, swept, share);
+  swept.profile = profile_for_normals(path, swept, turn);
+  Tessellation tessellation(path, swept, turn);
   SweptBody body;
   SectionList found;
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
@@ -509,7 +501,7 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   if (body.error) {
     const double reach = swept.profile.reach() * scale;
     *body.error += 0x1p-42 * reach + found.rounding;
-    if (share) *body.error += std::abs(form.turn) * share->error() * reach;
+    *body.error += turn.error() * reach;
     require_within(*body.error, form);
   }
   return body;

@@ -23,6 +23,14 @@ struct SweepPath {
 /// Of this path, which frames() are of.
 SweepPath sweep_path(const Path& path, CompiledFrames frames);
 
+/// How a profile turns along some segments.
+struct SweepLeg {
+  std::size_t end;           ///< behind the last of them
+  double turn;               ///< T, so much against the rotation-minimizing frame
+  double rate_at_start = 0;  ///< what dφ/ds is at the start beyond T/S, S the length
+  double rate_at_end = 0;    ///< and at the end; between them φ is a cubic polynomial of s
+};
+
 /// How a profile is swept.
 struct SweepForm {
   Profile profile;        ///< what is swept
@@ -39,6 +47,8 @@ struct SweepForm {
   /// The origin of the coordinates of the mesh. Without it, a place near the body is taken.
   std::optional<Vector<Rational>> origin = Vector<Rational>{};
   Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
+  /// What it turns beside that: one after the other, to the end of the path; or none.
+  std::vector<SweepLeg> legs = {};
 };
 
 /// A part of a segment of a path.

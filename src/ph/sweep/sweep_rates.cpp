@@ -19,8 +19,8 @@ namespace {
 //   |v′| ≤ |v|·|T′|,  |v″| ≤ |v|·(|T″| + |T′|²),
 // and those of T, from T′ = (r″ − (T·r″)T)/|r′|,
 //   |T′| ≤ |r″|/|r′|,  |T″| ≤ (|r‴| + 3|T′||r″|)/|r′|;
-// φ′ = Φ|r′|/S for a turn by Φ along the length S. All of this is bounded by balls around all t of
-// a part.
+// φ′ = |r′|·dφ/ds and φ″ = (|r′|)′·dφ/ds + |r′|²·d²φ/ds², (|r′|)′ ≤ |r″|. All of this is bounded by
+// balls around all t of a part.
 
 constexpr long rate_bits = 64;
 
@@ -61,7 +61,7 @@ double ScaleRates::at(std::size_t order, std::size_t segment, double t) const {
 }
 
 std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
-                                      double turn_per_length, const SweepPart& part) {
+                                      const SweepTurn& turn, const SweepPart& part) {
   const RealBall t = hull(exact_rational(part.from), exact_rational(part.to), rate_bits);
   const auto series = path.series.position(part.segment, t, 4, rate_bits);
   const auto derivative = [&](long order) {
@@ -78,8 +78,11 @@ std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& s
   rates.tangent2 =
       (jerk + 3 * rates.tangent * rates.acceleration) / rates.speed_below * sweep_slack;
   for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, part.segment, t);
-  rates.turn = std::abs(turn_per_length) * rates.speed * sweep_slack;
-  rates.turn2 = std::abs(turn_per_length) * rates.acceleration * sweep_slack;
+  const double per_length = turn.rate_bound(part.segment);
+  rates.turn = per_length * rates.speed * sweep_slack;
+  rates.turn2 = (per_length * rates.acceleration +
+                 turn.second_bound(part.segment) * rates.speed * rates.speed) *
+                sweep_slack;
   return rates;
 }
 
@@ -106,28 +109,28 @@ constexpr double shortest_part = 0x1p-22;
 
 /// Around some points of each segment no part will do if one of the shortest at the point does not:
 /// that is seen before the parts elsewhere, which may be millions.
-void require_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+void require_parts(const SweepPath& path, const ScaleRates& scale, const SweepTurn& turn,
                    double reach, double tolerance) {
   for (std::size_t k = 0; k < path.series.segments; ++k)
     for (const double t : {0.0, 0.5, 1.0}) {
       const SweepPart at{k, t, t};
-      const auto rates = sweep_rates(path, scale, turn_per_length, at);
+      const auto rates = sweep_rates(path, scale, turn, at);
       if (!rates || !(edge_error(*rates, reach, shortest_part / 2) <= tolerance)) refuse_part(at);
     }
 }
 
 }  // namespace
 
-SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, const SweepTurn& turn,
                        double reach, double tolerance) {
-  require_parts(path, scale, turn_per_length, reach, tolerance);
+  require_parts(path, scale, turn, reach, tolerance);
   SweepParts found;
   std::vector<SweepPart> left;
   for (std::size_t k = path.series.segments; k-- > 0;) left.push_back({k, 0, 1});
   while (!left.empty()) {
     const SweepPart part = left.back();
     left.pop_back();
-    const auto rates = sweep_rates(path, scale, turn_per_length, part);
+    const auto rates = sweep_rates(path, scale, turn, part);
     const double error = rates ? edge_error(*rates, reach, part.step()) : HUGE_VAL;
     if (rates && error <= tolerance) {
       found.error = std::max(found.error, error);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "phrame/ph/sweep/sweep_form.hpp"
+#include "phrame/ph/sweep/sweep_turn.hpp"
 
 namespace phrame {
 
@@ -37,7 +38,7 @@ struct SweepRates {
 
 /// By balls around all t of the part; no value where r′ may be 0.
 std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
-                                      double turn_per_length, const SweepPart& part);
+                                      const SweepTurn& turn, const SweepPart& part);
 
 /// As far as an edge along the path, between the corners of two sections, is from the surface at
 /// most, no corner of the profile being farther from the path than `reach` where λ = 1.
@@ -49,7 +50,7 @@ struct SweepParts {
   double error = 0;  ///< of the edges
 };
 /// Throws Undecided where r′ is not told from 0, as at a cusp, and for too small a tolerance.
-SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, double turn_per_length,
+SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, const SweepTurn& turn,
                        double reach, double tolerance);
 
 /// Bounds in doubles are of some ten operations on positive numbers.

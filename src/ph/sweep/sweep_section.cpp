@@ -45,9 +45,8 @@ SweepSections::PathDerivatives SweepSections::derivatives_at(std::size_t segment
   return found;
 }
 
-SweepSections::SweepSections(const SweepPath& path, const SweepForm& form,
-                             const std::optional<LengthShare>& share)
-    : path_(path), form_(form), share_(share), scale_(form.scale, path.series.segments) {
+SweepSections::SweepSections(const SweepPath& path, const SweepForm& form, const SweepTurn& turn)
+    : path_(path), form_(form), turn_(turn), scale_(form.scale, path.series.segments) {
   if (form.origin)
     for (std::size_t k = 0; k < 3; ++k) origin_[k] = RealBall(form.origin->at(k), section_bits);
   for (const auto& [x, y] : form.profile.corners())
@@ -96,7 +95,7 @@ Frame<double> SweepSections::frame(std::size_t segment, double t) const {
 
 std::vector<Vector<double>> SweepSections::outline(std::size_t segment, double t) const {
   const Frame<double> axes = frame(segment, t);
-  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
+  const double phi = turn_.angle(segment, t);
   const double scale = scale_.at(0, segment, t);
   const double cos = scale * std::cos(phi);
   const double sin = scale * std::sin(phi);
@@ -171,7 +170,7 @@ SweepMotion SweepSections::motion(std::size_t segment, double t) const {
   const auto [place, rate, second] = derivatives_at(segment, t);
   const Frame<double> frame = this->frame(segment, t);
   const double speed = size(rate);
-  const double phi = share_ ? form_.turn * (*share_)(segment, t) : 0;
+  const double phi = turn_.angle(segment, t);
   SweepMotion motion{};
   motion.speed = speed;
   motion.tangent = 1 / speed * rate;
@@ -180,7 +179,7 @@ SweepMotion SweepSections::motion(std::size_t segment, double t) const {
   motion.y = std::cos(phi) * frame.e3 - std::sin(phi) * frame.e2;
   motion.scale = scale_.at(0, segment, t);
   motion.scale_rate = scale_.at(1, segment, t);
-  motion.turn_rate = share_ ? form_.turn / share_->length() * speed : 0;
+  motion.turn_rate = turn_.rate(segment, t) * speed;
   return motion;
 }
 

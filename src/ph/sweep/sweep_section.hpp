@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "phrame/ph/sweep/length_share.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
 
 namespace phrame {
@@ -31,9 +30,8 @@ struct SweepMotion {
 /// Sections of a body at any t.
 class SweepSections {
  public:
-  /// The share is there where the profile turns; path and form must outlive this.
-  SweepSections(const SweepPath& path, const SweepForm& form,
-                const std::optional<LengthShare>& share);
+  /// All of these must outlive this.
+  SweepSections(const SweepPath& path, const SweepForm& form, const SweepTurn& turn);
 
   SweepSection section(std::size_t segment, double t) const;
   /// At the corner with which the segment begins: in the plane that halves it, where both sides of
@@ -70,7 +68,7 @@ class SweepSections {
 
   const SweepPath& path_;
   const SweepForm& form_;
-  const std::optional<LengthShare>& share_;
+  const SweepTurn& turn_;
   ScaleRates scale_;
   Vector<RealBall> origin_;  ///< 0 where the form has none yet
   std::vector<std::array<double, 2>> corners_;
