@@ -96,6 +96,8 @@ struct IntegralAnswer;
 struct InterpolationQuery;
 struct MinimalTwistQuery;
 struct MinimalTwistAnswer;
+struct PathTwistQuery;
+struct PathTwistAnswer;
 struct OffsetQuery;
 struct OffsetAnswer;
 struct PageQuery;

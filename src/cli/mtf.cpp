@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/answer/minimal_twist.hpp"
+#include "phrame/answer/path_twist.hpp"
 #include "phrame/answer/wronskian.hpp"
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/answers.hpp"
@@ -65,11 +66,25 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   return found;
 }
 
+/// Through the orientations that come with the path.
+void run_through(const Command& command, const MtfOptions& options, const NamedPath& named) {
+  const auto print = choose<std::string (*)(const PathTwistAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  command.refuse(
+      TwistOptions::of_rational_frame(),
+      "is of rational frames between two ends; the file has orientations at joints, which "
+      "the exact frame meets");
+  const PathTwistQuery query{options.parameters.values(named.path.end()), options.digits,
+                             options.up.chosen(named.path)};
+  options.length.write(options.curve.output, print(answer(named, query)));
+}
+
 void run(const Command& command, const MtfOptions& options) {
   if (options.is_wronskian) return run_wronskian(options);
   const auto print = choose<std::string (*)(const MinimalTwistAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   const NamedPath named = options.curve.read_any_path();
+  if (named.frame && !options.twist.has_ends()) return run_through(command, options, named);
   options.length.write(options.curve.output, print(found(command, options, named)));
 }
 
@@ -107,6 +122,9 @@ void add_mtf(Program& program) {
       "Pythagorean-hodograph, which has the exact frame only, that of v (--frame up).\n"
       "The exact frame turns about e1 at a constant rate; the rational one is the ERF turned by\n"
       "2 arg w(t) with a polynomial w whose rate deviates least from that (root mean square).\n"
+      "Of a file with orientations, as phrame construct makes of poses, it is the frame through "
+      "all\n"
+      "of these, unless other ends are asked for.\n"
       "Examples:\n"
       "  phrame mtf curve.json --samples 11\n"
       "  phrame mtf curve.json --from pi/8 --to -pi/2 --samples 11\n"

@@ -64,6 +64,11 @@ PHRAME_API std::string to_text(const MinimalTwistAnswer& answer);
 PHRAME_API std::string to_json(const MinimalTwistAnswer& answer);
 PHRAME_API std::string to_latex(const MinimalTwistAnswer& answer);
 /// @}
+/// @{ twist-through/1.
+std::string to_text(const PathTwistAnswer& answer);
+std::string to_json(const PathTwistAnswer& answer);
+std::string to_latex(const PathTwistAnswer& answer);
+/// @}
 /// @{ wronskian/1.
 PHRAME_API std::string to_text(const WronskianAnswer& answer);
 PHRAME_API std::string to_json(const WronskianAnswer& answer);

@@ -1,0 +1,44 @@
+#pragma once
+#include "phrame/answer/angle.hpp"
+#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/twist/path_twist.hpp"
+
+namespace phrame {
+
+/// How does the frame turn that has the orientations which come with a path?
+struct PathTwistQuery {
+  std::vector<Rational> at = {};  ///< the t where θ is asked for
+  long digits = 17;               ///< of all numbers
+  /// v of the frame that angles are to; without it as angle_to() has it.
+  std::optional<Vector<Rational>> up = {};
+};
+
+/// The frame of least twist through given orientations, or the smooth one.
+struct PathTwistAnswer {
+  /// From one orientation to the next.
+  struct Leg {
+    std::size_t from;  ///< the joints where it starts and ends
+    std::size_t to;
+    Decimal length;         ///< S
+    Decimal twist;          ///< T
+    Decimal rate_at_start;  ///< ω there
+    Decimal rate_at_end;    ///< the same of one that turns evenly
+    /// As MinimalTwistAnswer has it.
+    std::string half_turn_within;
+  };
+  NamedPath path;                           ///< as asked, with its orientations
+  std::vector<Leg> legs;                    ///< one after the other
+  Decimal length;                           ///< of the path
+  Decimal twist;                            ///< ∫ω ds
+  Decimal squared_rate;                     ///< ∫ω² ds
+  Decimal squared_slope;                    ///< ∫ω′² ds of a smooth one
+  std::vector<AngleValue> values;           ///< θ at the t asked for
+  long digits;                              ///< of all numbers
+  std::optional<Vector<Rational>> up = {};  ///< v, where angles are to the frame of it
+};
+
+/// Throws DomainError for a path without orientations, and as PathTwist; Undecided where a number
+/// cannot be rounded.
+PathTwistAnswer answer(const NamedPath& path, const PathTwistQuery& query);
+
+}  // namespace phrame
