@@ -72,6 +72,7 @@ nb::object rational_twist(nb::handle self, const MinimalTwist& mtf, nb::handle d
                           bool is_proved);
 void bind_rational_twist(nb::module_& m);
 void bind_minimal_twist(nb::module_& m, PathClass& path);
+void bind_path_twist(nb::module_& m, PathClass& path);
 void bind_check(nb::module_& m, PathClass& path);
 void bind_certificate(nb::module_& m, PathClass& path);
 

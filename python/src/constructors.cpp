@@ -177,17 +177,48 @@ void choose_solution(ConstructQuery& query, nb::handle tolerance, nb::handle sol
     refuse("angles", "two are wanted, Delta and phi, or three, phi0, phi1, phi2", angles);
 }
 
+/// No value without orientations.
+std::optional<GivenPoses> poses_of(nb::handle orientations, const GivenPoints& given,
+                                   const std::string& axis, bool is_smooth, nb::handle turns,
+                                   bool is_closed) {
+  GivenPoses poses{{}, tangent_axis(axis), {}, is_smooth};
+  if (orientations.is_none()) {
+    if (is_smooth) refuse("smooth_twist", "it is of orientations", nb::bool_(is_smooth));
+    if (!turns.is_none()) refuse("turns", "they are of orientations", turns);
+    return std::nullopt;
+  }
+  if (!given.derivatives.empty() || !given.tangents.empty())
+    refuse("orientations", "they have tangents: derivatives and tangents are not taken beside them",
+           orientations);
+  poses.bodies = orientations_of(orientations, given.points.size());
+  if (turns.is_none()) return poses;
+  for (const Rational& x : rationals(turns, "turns")) {
+    const std::string place = "turns[" + std::to_string(poses.turns.size()) + "]";
+    if (denominator(x) != 1 || abs(x) > 1'000'000)
+      refuse(place, "it is no whole number, at most a million", turns);
+    poses.turns.push_back(static_cast<long>(numerator(x)));
+  }
+  const std::size_t n = given.points.size();
+  if (poses.turns.size() != n - 1 && !(is_closed && poses.turns.size() == n))
+    refuse("turns", std::to_string(poses.turns.size()) + " for " + std::to_string(n) + " points",
+           turns);
+  return poses;
+}
+
 nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangents,
                    nb::handle accelerations, nb::handle parameters, Flag<"closed"> closed,
                    const Text<"kind">& kind, Flag<"exact"> exact, nb::handle tolerance,
                    nb::handle solution, nb::handle select, nb::handle angles,
-                   const Text<"name">& name) {
+                   const Text<"name">& name, nb::handle orientations,
+                   const Text<"tangent_axis">& axis, Flag<"smooth_twist"> is_smooth,
+                   nb::handle turns) {
   GivenPoints given;
   given.name = name;
   given.points = vectors(points, "points", 2);
   given.derivatives = as_many(derivatives, "derivatives", given);
   given.tangents = as_many(tangents, "tangents", given);
   given.accelerations = as_many(accelerations, "accelerations", given);
+  given.poses = poses_of(orientations, given, axis, is_smooth, turns, closed);
   if (!parameters.is_none()) {
     given.parameters = rationals(parameters, "parameters");
     const std::size_t n = given.parameters.size();
@@ -382,12 +413,18 @@ void bind_constructors(nb::module_& m, PathClass& path) {
           argument("closed") = false, argument("kind") = "quintic", argument("exact") = false,
           argument("tolerance") = nb::none(), argument("solution") = 1,
           argument("select") = nb::none(), argument("angles") = nb::none(), argument("name") = "",
+          argument("orientations") = nb::none(), argument("tangent_axis") = "x",
+          argument("smooth_twist") = false, argument("turns") = nb::none(),
           nb::sig("def through(points: Vectors, *, derivatives: Vectors | None = None, "
                   "tangents: Vectors | None = None, accelerations: Vectors | None = None, "
                   "parameters: collections.abc.Sequence[Number] | None = None, closed: bool "
                   "= False, kind: str = 'quintic', exact: bool = False, " PHRAME_CHOICE_SIG
-                  ", name: str = '') -> Path"),
-          "A spline of exact PH curves through points: docs/construct.md names the kinds.")
+                  ", name: str = '', orientations: typing.Any = None, tangent_axis: str = 'x', "
+                  "smooth_twist: bool = False, turns: collections.abc.Sequence[int] | None = None) "
+                  "-> Path"),
+          "A spline of exact PH curves through points: docs/construct.md names the kinds. With "
+          "`orientations`, quaternions (x, y, z, w), matrices or a Rotation of SciPy, the frame of "
+          "its twist() meets them, and their axis `tangent_axis` is the tangent: docs/poses.md.")
 #define PHRAME_READ_SIG \
   ", near: Number | None = None, *, skip_invalid: bool = False, pick: str = '') -> Path"
 #define PHRAME_READ_PARAMETERS                                                    \

@@ -1,4 +1,5 @@
 #include "answers.hpp"
+#include "arrays.hpp"
 
 namespace phrame::python {
 namespace {
@@ -99,6 +100,14 @@ void bind_minimal_twist(nb::module_& m, PathClass& path) {
            "\"inflections\", \"extrema\", \"auto\" and \"rms:X\" (docs/minimal-twist.md); `gamma` "
            "asks for "
            "the w with this γ instead of the best one, and `proved=False` for no proof.");
+  type.def(
+      "frames",
+      [](const T& self, nb::handle ts, nb::handle progress) {
+        return twist_frames(self.twist, ts, progress);
+      },
+      argument("ts"), nb::kw_only(), argument("progress") = nb::none(),
+      nb::sig("def frames(self, ts: Numbers, *, " PHRAME_PROGRESS ") -> " PHRAME_ARRAY),
+      "Frames as an array (n, 3, 3) with the rows e1, f2, f3, every number correctly rounded.");
   type.def("__repr__", [](const T& t) {
     return "<MinimalTwist " + round_to_decimal(t.twist.twist(), 6).value + " radians>";
   });

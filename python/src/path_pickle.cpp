@@ -70,6 +70,22 @@ nb::object packed_path(const Path& path, VariableName variable) {
   return nb::tuple(list);
 }
 
+nb::object packed_frame(const FrameThrough& frame) {
+  nb::list joints;
+  for (const auto& [joint, f2, turns] : frame.joints)
+    joints.append(nb::make_tuple(joint, to_python(f2), turns));
+  return nb::make_tuple(nb::tuple(joints), frame.is_smooth, nb::str(name_of(frame.axis).c_str()));
+}
+
+std::optional<FrameThrough> unpacked_frame(nb::handle packed) {
+  if (packed.is_none()) return std::nullopt;
+  FrameThrough frame{{}, nb::cast<bool>(packed[1]), tangent_axis(nb::cast<std::string>(packed[2]))};
+  for (const nb::handle joint : nb::list(packed[0]))
+    frame.joints.push_back(
+        {nb::cast<std::size_t>(joint[0]), vector(joint[1], "f2"), nb::cast<long>(joint[2])});
+  return frame;
+}
+
 Path unpacked_path(nb::handle packed) {
   std::vector<Segment> segments;
   for (const nb::handle item : nb::list(packed)) segments.push_back(unpacked(item));

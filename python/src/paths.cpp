@@ -201,9 +201,14 @@ std::string shown(const PathObject& self) {
 }
 
 void bind_path(nb::module_& m, PathClass& path) {
-  m.def("_path", [](const std::string& name, nb::handle segments) {
-    return wrap(NamedPath{name, unpacked_path(segments)});
-  });
+  m.def(
+      "_path",
+      [](const std::string& name, nb::handle segments, nb::handle frame) {
+        NamedPath named{name, unpacked_path(segments)};
+        named.frame = unpacked_frame(frame);
+        return wrap(std::move(named));
+      },
+      nb::arg(), nb::arg(), nb::arg() = nb::none());
   path.def_prop_ro(
           "name", [](const PathObject& self) { return self.named.name; }, "May be empty.")
       .def_prop_ro(
@@ -253,7 +258,8 @@ void bind_path(nb::module_& m, PathClass& path) {
           "__eq__",
           [](const PathObject& self, nb::handle other) {
             return nb::isinstance<PathObject>(other) &&
-                   self.named.path == path_of(other).named.path;
+                   self.named.path == path_of(other).named.path &&
+                   self.named.frame == path_of(other).named.frame;
           },
           nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__",
@@ -264,7 +270,10 @@ void bind_path(nb::module_& m, PathClass& path) {
       .def(
           "__reduce__",
           [](const PathObject& self) {
-            return remade("_path", nb::str(self.named.name.c_str()), packed_path(self.named.path));
+            const nb::str name(self.named.name.c_str());
+            if (!self.named.frame) return remade("_path", name, packed_path(self.named.path));
+            return remade("_path", name, packed_path(self.named.path),
+                          packed_frame(*self.named.frame));
           },
           PHRAME_REDUCE_SIG);
   bind_python(
@@ -298,6 +307,7 @@ void bind_paths(nb::module_& m) {
   bind_integral(m);
   bind_classification(m, path);
   bind_minimal_twist(m, path);
+  bind_path_twist(m, path);
   bind_check(m, path);
   bind_certificate(m, path);
   bind_products(path);

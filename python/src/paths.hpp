@@ -74,10 +74,21 @@ nb::object method_recipe(nb::handle self, const char* name, T&&... arguments) {
 enum class VariableName { kept, left_out };
 nb::object packed_path(const Path& path, VariableName variable = VariableName::kept);
 Path unpacked_path(nb::handle packed);
+/// @{ The orientations that come with a path; None where there are none.
+nb::object packed_frame(const FrameThrough& frame);
+std::optional<FrameThrough> unpacked_frame(nb::handle packed);
+/// @}
 
 /// θ at many parameters, correctly rounded: an array.
 nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts,
                   nb::handle progress);
+
+/// @{ "x" to "-z"; orientations as quaternions, scalar last, matrices, or a Rotation of SciPy.
+TangentAxis tangent_axis(const std::string& name);
+std::vector<Orientation> orientations_of(nb::handle given, std::size_t count);
+/// @}
+/// Frames of least twist: an array (n, 3, 3).
+nb::object twist_frames(const PathTwist& twist, nb::handle ts, nb::handle progress);
 
 void bind_constructors(nb::module_& m, PathClass& path);
 void bind_any_curves(PathClass& path);

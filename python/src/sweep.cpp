@@ -132,6 +132,8 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   query.twist = angle_number(twist, "twist");
   query.origin = origin_of(origin);
   if (!end_normal.is_none()) query.end_normal = vector(end_normal, "end_normal");
+  if (path.named.frame && start.is_none() && start_normal.is_none() && end_normal.is_none())
+    query.through = path.named.frame;
   query.normal_tolerance = normal_angle(normal_tolerance);
   query.profile_within = [source, distance = fine.distance](const Rational& angle) {
     return source({distance, angle});

@@ -28,6 +28,7 @@ class Rdd:
 
 CUBIC = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
 RING, OTHER_RING = (phrame.Path.expressions(*r, 0, "2*pi") for r in (("cos(s)", "sin(s)", "0"), ("1 + cos(s)", "0", "sin(s)")))
+POSED = phrame.Path.through([[0, 0, 0], [1, 0, 0]], orientations=[[0, 0, 0, 1], [1, 0, 0, 5]])
 THETA = QUINTIC.angle()
 REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
@@ -98,7 +99,7 @@ API = {
                                              "a0": None, "a1": None, **CHOICE}),
     "Path.through": (phrame.Curve.through, {
         "points": [[0, 0, 0], [1, 1, 1]], "derivatives": None, "tangents": None, "accelerations": None,
-        "parameters": None, "closed": False, **CHOICE}),
+        "parameters": None, "closed": False, **CHOICE, "orientations": None, "tangent_axis": "x", "smooth_twist": False, "turns": None}),
     "Path.bezier": (phrame.Curve.bezier, {"points": POINTS, "weights": None, "name": ""}),
     "Path.nurbs": (phrame.Curve.nurbs, {"points": POINTS, "weights": None, "knots": None, "degree": 2, "name": ""}),
     "Path.polynomial": (phrame.Curve.polynomial, {"x": [0, 1], "y": [0, 0, 1], "z": [0, 1, 1], "w": None, "name": "", "basis": "power"}),
@@ -129,6 +130,10 @@ API = {
     "Classification.json": (QUINTIC.classify().json, {}),
     "MinimalTwist.rational": (QUINTIC.minimal_twist(0, 1).rational, {"degree": 2, "free_ends": False, "subdivide": (),
                                                                      "gamma": None, "proved": False}),
+    "MinimalTwist.frames": (QUINTIC.minimal_twist(0, 1).frames, {"ts": [0], "progress": None}),
+    "Path.twist": (POSED.twist, {"up": None}),
+    "PathTwist.frames": (POSED.twist().frames, {"ts": [0], "progress": None}),
+    "PathTwist.rate": (POSED.twist().rate, {"t": 1}),
     "RationalTwist.value": (QUINTIC.minimal_twist(0, 1).rational(proved=False).value, {"t": 1, "digits": None}),
     "RationalTwist.digits": (QUINTIC.minimal_twist(0, 1).rational(proved=False).digits, {"t": 1, "n": 5}),
     "MinimalTwist.digits": (QUINTIC.minimal_twist(0, 1).digits, {"t": 1, "n": 5}),

@@ -14,6 +14,8 @@ def values():
     theta = QUINTIC.angle("frenet", start="pi/4").value("1/3")
     twist = QUINTIC.minimal_twist(0, "pi/3")
     ts = [0, "1/2", 1]
+    posed = phrame.Path.through([[0, 0, 0], [1, 0, 0], [2, 1, 1]], orientations=[[0, 0, 0, 1], [1, 0, 0, 5], [0, 0, 1, 4]],
+                                smooth_twist=True, turns=[0, 1])
     return {
         phrame.Polynomial: [QUINTIC.sigma, phrame.Polynomial([])],
         phrame.RationalFunction: [QUINTIC.torsion_function],
@@ -21,12 +23,13 @@ def values():
                       twist.twist, twist.value("1/2"), phrame.integrate("1/(x^2+1)", 0, 1).value(), cubic.length,
                       cubic.angle().value("1/3"), cubic.curvature("1/4"), cubic.parameter_at(1), QUINTIC.parameter_at(1),
                       *helix.point("1/7")],
-        phrame.Path: [QUINTIC, phrame.Curve([1, 2], [0, 1], [0], [1], multiplier=[1, 0, 1], start=[1, 2, 3], name="α"), two, cubic, phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2]), helix,
+        phrame.Path: [QUINTIC, posed, phrame.Curve([1, 2], [0, 1], [0], [1], multiplier=[1, 0, 1], start=[1, 2, 3], name="α"), two, cubic, phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2]), helix,
                       phrame.Path([phrame.Curve([1], [0], [0], [0]), phrame.Curve.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "both")],
         phrame.Angle: [QUINTIC.angle(), two.angle(start="pi/4"), QUINTIC.angle("frenet"), QUINTIC.angle(start_normal=[0, 0, 1]), QUINTIC.angle(up=[0, 0, 1]), cubic.angle(start=1), cubic.angle("frenet"), cubic.angle(up=[0, 0, 1])],
         phrame.Integral: [phrame.integrate("1/(x^5+1)", variable="x"), phrame.integrate("1/y", 1, "sqrt(2)", style="real")],
         phrame.Classification: [QUINTIC.classify(), two.classify()],
         phrame.MinimalTwist: [twist, cubic.minimal_twist(0, 1, extra_turns=1)],
+        phrame.PathTwist: [posed.twist(), posed.twist(up=[1, 5, -2])],
         phrame.RationalTwist: [twist.rational(), twist.rational(gamma="3/4"), twist.rational(degree=1, free_ends=True)],
         phrame.RationalTwistPiece: [*twist.rational(subdivide=["inflections", "1/2"], proved=False).pieces, twist.rational().pieces[0].other],
         phrame.CheckResult: [QUINTIC.check(ts, QUINTIC.frames(ts)[:, 1]), cubic.check(ts, cubic.frames(ts, kind="frenet")[:, 1])],

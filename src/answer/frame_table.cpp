@@ -44,6 +44,20 @@ const char* name_of(TabulatedScalar kind) {
       return "omega_y";
     case TabulatedScalar::omega_z:
       return "omega_z";
+    case TabulatedScalar::twist_rate:
+      return "twist_rate";
+    case TabulatedScalar::twist_omega_x:
+      return "twist_omega_x";
+    case TabulatedScalar::twist_omega_y:
+      return "twist_omega_y";
+    case TabulatedScalar::twist_omega_z:
+      return "twist_omega_z";
+    case TabulatedScalar::twist_alpha_x:
+      return "twist_alpha_x";
+    case TabulatedScalar::twist_alpha_y:
+      return "twist_alpha_y";
+    case TabulatedScalar::twist_alpha_z:
+      return "twist_alpha_z";
   }
   return "";
 }
@@ -142,6 +156,7 @@ class Rows {
   Real arc_length(const Place& at) const;
   Real scalar(TabulatedScalar kind, const Place& at);
   Real turning(TabulatedScalar kind, const Place& at);
+  Real twisting(TabulatedScalar kind, const Place& at) const;
   template <class Add>
   void add_where_defined(TableRow& row, std::size_t count, Add add);
 
@@ -248,8 +263,28 @@ Real Rows::turning(TabulatedScalar kind, const Place& at) {
                                             : omega[2];
 }
 
+/// What the frame of minimal twist turns by, ω = β + φ′e₁ with β = e₁ × e₁′, and ω′.
+Real Rows::twisting(TabulatedScalar kind, const Place& at) const {
+  if (!columns_.exact_mtf)
+    throw DomainError(std::string(name_of(kind)) + ": no frame of minimal twist is given");
+  const PathTwist& twist = *columns_.exact_mtf;
+  const Real rate = twist.rate(at);
+  if (kind == TabulatedScalar::twist_rate) return rate;
+  const Vector<Real> e1 = tangent(path(), at);
+  const Vector<Real> bend = curvature_vector(path(), at);
+  if (kind < TabulatedScalar::twist_alpha_x) {
+    const auto k =
+        static_cast<std::size_t>(kind) - static_cast<std::size_t>(TabulatedScalar::twist_omega_x);
+    return cross(e1, bend)[k] + rate * e1[k];
+  }
+  const auto k =
+      static_cast<std::size_t>(kind) - static_cast<std::size_t>(TabulatedScalar::twist_alpha_x);
+  return turning_slope(path(), at)[k] + twist.rate_slope(at) * e1[k] + rate * bend[k];
+}
+
 Real Rows::scalar(TabulatedScalar kind, const Place& at) {
   if (kind == TabulatedScalar::arc_length) return arc_length(at);
+  if (kind >= TabulatedScalar::twist_rate) return twisting(kind, at);
   if (!is_of_frenet(kind)) return turning(kind, at);
   const Segment& segment = path().segments()[at.segment];
   if (std::holds_alternative<ExpressionCurve>(segment)) {

@@ -30,6 +30,14 @@ enum class TabulatedScalar {
   omega_x,  ///< in x
   omega_y,  ///< in y
   omega_z,  ///< in z
+  // Of the frame exact_mtf, by arc length too:
+  twist_rate,     ///< the rate at which it turns about e₁
+  twist_omega_x,  ///< its angular velocity, e₁ × e₁′ and that rate along e₁, in x
+  twist_omega_y,  ///< in y
+  twist_omega_z,  ///< in z
+  twist_alpha_x,  ///< the derivative of that, in x
+  twist_alpha_y,  ///< in y
+  twist_alpha_z,  ///< in z
 };
 
 /// What a table holds beside t, r and e₁.
@@ -51,6 +59,8 @@ struct TableColumns {
   /// Is there each frame as a matrix, too? Its columns are the vectors of the frame and r, with (0,
   /// 0, 0, 1) below; its rows follow one another.
   bool have_matrices = false;
+  /// Of the quaternions and matrices of exact_mtf: those of the body whose tangent axis this is.
+  TangentAxis body = {};
   /// Are the quaternions those of a camera that looks along e₁, with f₂ up? They turn i, j, k into
   /// f₃, f₂, −e₁ then.
   bool are_cameras = false;

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/table_row.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 
 namespace phrame {
@@ -48,9 +49,16 @@ bool is_to_be_negated(const std::array<double, 4>& q,
   return nonzero != q.rend() && *nonzero < 0;
 }
 
-/// x to the right, y up, and z to the back.
-Frame<Real> of_camera(const Frame<Real>& frame) {
-  return {frame.e3, frame.e2, {-frame.e1[0], -frame.e1[1], -frame.e1[2]}};
+/// The axes of the body of which one is the tangent.
+template <class T>
+Frame<T> axes_of(const Frame<T>& frame, const TangentAxis& tangent) {
+  const auto& [e1, f2, f3] = frame;
+  const std::array<Vector<T>, 3> from =
+      tangent.is_reversed
+          ? std::array<Vector<T>, 3>{each(e1, [](const T& x) { return T(-x); }), f3, f2}
+          : std::array<Vector<T>, 3>{e1, f2, f3};
+  const auto axis = [&](std::size_t k) { return from[(k + 3 - tangent.axis) % 3]; };
+  return {axis(0), axis(1), axis(2)};
 }
 
 }  // namespace
@@ -61,7 +69,7 @@ std::size_t OrientationColumns::width() const {
 
 void OrientationColumns::add_quaternion(TableRow& row, TabulatedFrame kind,
                                         const Frame<Real>& frame) {
-  const auto [u, v, p, q] = quaternion_of(are_cameras_ ? of_camera(frame) : frame);
+  const auto [u, v, p, q] = quaternion_of(axes_of(frame, axis_of(kind)));
   std::array<Real, 4> exact{v, p, q, u};
   const auto rounded = [&] {
     return std::array<double, 4>{round_to_double(exact[0]), round_to_double(exact[1]),
@@ -76,12 +84,28 @@ void OrientationColumns::add_quaternion(TableRow& row, TabulatedFrame kind,
 
 namespace {
 
-/// After t, r, e₁ at the beginning of the row, and e₂, e₃ at these places of it.
+double negative(double x) { return x == 0 ? x : -x; }
+std::string negative(const std::string& x) {
+  if (x == "0" || x.empty()) return x;
+  return x.front() == '-' ? x.substr(1) : "-" + x;
+}
+
+/// After t, r, e₁ at the beginning of the row, and e₂, e₃ from this place of it on: the axes of the
+/// body, and r.
 template <class Cell>
-void add_matrix(std::vector<Cell>& row, std::size_t e2, std::size_t e3, const Cell& zero,
-                const Cell& one) {
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const std::size_t from : {4 + k, e2 + k, e3 + k, 1 + k}) row.push_back(Cell(row[from]));
+void add_matrix(std::vector<Cell>& row, std::size_t e2, const TangentAxis& tangent,
+                const Cell& zero, const Cell& one) {
+  std::array<std::size_t, 3> from{};
+  from[tangent.axis] = 4;
+  from[(tangent.axis + 1) % 3] = tangent.is_reversed ? e2 + 3 : e2;
+  from[(tangent.axis + 2) % 3] = tangent.is_reversed ? e2 : e2 + 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const std::size_t axis : from) {
+      const Cell cell = row[axis + k];
+      row.push_back(axis == 4 && tangent.is_reversed ? negative(cell) : cell);
+    }
+    row.push_back(Cell(row[1 + k]));
+  }
   row.insert(row.end(), {zero, zero, zero, one});
 }
 
@@ -93,15 +117,16 @@ void OrientationColumns::add(TableRow& row, TabulatedFrame kind, const Frame<Rea
   row.add(frame.e3);
   if (have_quaternions_) add_quaternion(row, kind, frame);
   if (!have_matrices_) return;
-  add_matrix<double>(row.values, second, second + 3, 0, 1);
-  if (row.digits > 0) add_matrix<std::string>(row.decimals, second, second + 3, "0", "1");
+  const TangentAxis axis = axis_of(kind);
+  add_matrix<double>(row.values, second, axis, 0, 1);
+  if (row.digits > 0) add_matrix<std::string>(row.decimals, second, axis, "0", "1");
 }
 
 void OrientationColumns::add(std::vector<double>& row, const Frame<double>& frame) const {
   const std::size_t second = row.size();
   row.insert(row.end(), frame.e2.begin(), frame.e2.end());
   row.insert(row.end(), frame.e3.begin(), frame.e3.end());
-  if (have_matrices_) add_matrix<double>(row, second, second + 3, 0, 1);
+  if (have_matrices_) add_matrix<double>(row, second, {}, 0, 1);
 }
 
 void add_names(std::vector<std::string>& names, TabulatedFrame kind, const TableColumns& columns) {

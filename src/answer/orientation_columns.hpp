@@ -14,7 +14,8 @@ class OrientationColumns {
   explicit OrientationColumns(const TableColumns& columns)
       : have_quaternions_(columns.have_quaternions),
         have_matrices_(columns.have_matrices),
-        are_cameras_(columns.are_cameras) {}
+        camera_(columns.are_cameras ? std::optional(TangentAxis{2, true}) : std::nullopt),
+        body_(columns.body) {}
 
   /// So many numbers.
   std::size_t width() const;
@@ -28,7 +29,14 @@ class OrientationColumns {
 
   bool have_quaternions_;
   bool have_matrices_;
-  bool are_cameras_;
+  /// Which axis of the body is the tangent.
+  TangentAxis axis_of(TabulatedFrame kind) const {
+    return kind == TabulatedFrame::exact_mtf ? camera_.value_or(body_)
+                                             : camera_.value_or(TangentAxis());
+  }
+
+  std::optional<TangentAxis> camera_;  ///< x to the right, y up along f₂, and z to the back
+  TangentAxis body_;
   std::map<TabulatedFrame, std::array<double, 4>> last_;  ///< the quaternions of the last row
 };
 

@@ -114,14 +114,18 @@ const Names<TabulatedFrame>& frame_names() {
 /// Those without scalars are of the frames.
 const Names<std::vector<TabulatedScalar>>& column_names() {
   using enum TabulatedScalar;
-  static const Names<std::vector<TabulatedScalar>> names{{"s", {arc_length}},
-                                                         {"curvature", {curvature}},
-                                                         {"torsion", {torsion}},
-                                                         {"frenet_rate", {frenet_rate}},
-                                                         {"bishop", {bend_f2, bend_f3}},
-                                                         {"omega", {omega_x, omega_y, omega_z}},
-                                                         {"quaternion", {}},
-                                                         {"matrix", {}}};
+  static const Names<std::vector<TabulatedScalar>> names{
+      {"s", {arc_length}},
+      {"curvature", {curvature}},
+      {"torsion", {torsion}},
+      {"frenet_rate", {frenet_rate}},
+      {"bishop", {bend_f2, bend_f3}},
+      {"omega", {omega_x, omega_y, omega_z}},
+      {"twist_rate", {twist_rate}},
+      {"twist_omega", {twist_omega_x, twist_omega_y, twist_omega_z}},
+      {"twist_alpha", {twist_alpha_x, twist_alpha_y, twist_alpha_z}},
+      {"quaternion", {}},
+      {"matrix", {}}};
   return names;
 }
 
@@ -139,6 +143,11 @@ TableColumns columns(const FramesOptions& options) {
 }
 
 bool has_twist_frames(const TableColumns& columns) {
+  if (std::ranges::any_of(
+          columns.scalars,
+          [](TabulatedScalar scalar) { return scalar >= TabulatedScalar::twist_rate; }) &&
+      !has_frame(columns, TabulatedFrame::exact_mtf))
+    throw InputError("--columns", "\"twist_rate\" and the like are of --frame mtf-exact");
   return has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
 }
 
@@ -150,6 +159,7 @@ void add_twist_frames(TableColumns& columns, const TwistOptions& options, const 
   const bool is_rational = has_frame(columns, TabulatedFrame::mtf);
   if (named.frame && !options.has_ends()) {
     columns.exact_mtf.emplace(angle, *named.frame);
+    columns.body = named.frame->axis;
     if (is_rational)
       throw InputError("--frame",
                        "\"mtf\" is between two ends; the frame through the orientations "
@@ -282,8 +292,10 @@ void add_frames(Program& program) {
   command.add_choices(
       "--columns", options->scalars, keys(column_names()),
       "any of s (arc length), curvature, torsion, frenet_rate, bishop (k1, k2 of the\n"
-      "RMF) and omega (its angular velocity per length); and of each frame\n"
-      "quaternion (x, y, z, w) and matrix (4 x 4, by rows)");
+      "RMF) and omega (its angular velocity per length); of mtf-exact twist_rate,\n"
+      "twist_omega and twist_alpha (its rate about e1, angular velocity and\n"
+      "acceleration per length); and of each frame quaternion (x, y, z, w) and matrix\n"
+      "(4 x 4, by rows)");
   command.add_number("--digits", options->digits, {1, 100'000},
                      "decimals with N digits, correctly rounded, instead of doubles");
   command.add_choice("--by", options->by, {"t", "native", "arc-length"},
@@ -327,6 +339,7 @@ void add_frames(Program& program) {
       "torsion^2), per unit of arc length.\n"
       "A matrix has the columns e1, two vectors of the frame and x, y, z. A quaternion turns the\n"
       "axes into the frame; of the two that do, it is the one nearer to that of the row before.\n"
+      "Of mtf-exact through the orientations of a file both are those of the body, as given.\n"
       "A camera looks along e1, with f2 (or the first vector of another frame) up.\n"
       "A curve of any kind, as a Bezier curve or a NURBS, has rmf, up, frenet and mtf-exact, and\n"
       "all columns; erf where a segment is Pythagorean-hodograph.\n"

@@ -15,6 +15,7 @@
 #include "phrame/ph/curve/formula_domain.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -188,6 +189,47 @@ Vector<Real> curvature_vector(const Path& path, const Place& at) {
   const Vector<Real> across = cross(cross(H, slope), H);
   return {quotient_of(across[0], below), quotient_of(across[1], below),
           quotient_of(across[2], below)};
+}
+
+namespace {
+
+/// H″, and q′/q of q = |r′|/|H|.
+struct SecondOrder {
+  Vector<Real> second;
+  Real ratio_slope;
+};
+SecondOrder second_order(const RationalCurve& curve, const Place& at) {
+  const Polynomial& p = curve.multiplier();
+  const Polynomial& w = curve.weight();
+  Vector<Real> second{Rational(0), Rational(0), Rational(0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    second[k] = value(differentiate(differentiate(curve.direction()[k])), at);
+  return {second, quotient_of(value(differentiate(p), at), value(p, at)) +
+                      Real(Rational(-2)) * quotient_of(value(differentiate(w), at), value(w, at))};
+}
+SecondOrder second_order(const ExpressionCurve& curve, const Place& at) {
+  Vector<Real> second = derivative(curve, 3, at.t);
+  if (curve.orientation() < 0) second = opposite(second);
+  return {second, Rational(0)};
+}
+
+}  // namespace
+
+// With N = H × H′ and |r′| = q|H| it is β = N/(q·σ^{3/2}), so that
+//   dβ/ds = (N′ − (q′/q + 3H·H′/σ)·N)/(q²σ²).
+Vector<Real> turning_slope(const Path& path, const Place& at) {
+  const Vector<Real> H = direction(path, at);
+  const Vector<Real> slope = direction_slope(path, at);
+  const Real sigma = dot(H, H);
+  const Segment& segment = path.segments()[at.segment];
+  const Real ratio =
+      visit_curve([&](const auto& curve) { return speed_over_direction(curve, at); }, segment);
+  const SecondOrder order =
+      visit_curve([&](const auto& curve) { return second_order(curve, at); }, segment);
+  const Real factor = -(order.ratio_slope + Real(Rational(3)) * quotient_of(dot(H, slope), sigma));
+  const Real below = ratio * ratio * sigma * sigma;
+  const Vector<Real> change = cross(H, order.second) + factor * cross(H, slope);
+  return each(change, [&](const Real& x) { return quotient_of(x, below); });
 }
 
 Real torsion(const Path& path, const Place& at) {

@@ -12,6 +12,9 @@ namespace phrame {
 PHRAME_API Real curvature(const Path& path, const Place& at);
 /// de₁/ds = κn there, rational where t and the curve are. Throws DomainError at a cusp.
 PHRAME_API Vector<Real> curvature_vector(const Path& path, const Place& at);
+/// dβ/ds there, where β = e₁ × de₁/ds is the angular velocity of a rotation-minimizing frame by the
+/// length; likewise.
+PHRAME_API Vector<Real> turning_slope(const Path& path, const Place& at);
 /// τ = W²·det(H, H′, H″)/(p·ρ) there, rational where t and the curve are. Throws DomainError where
 /// it is infinite and on a straight line, where it is undefined.
 PHRAME_API Real torsion(const Path& path, const Place& at);
