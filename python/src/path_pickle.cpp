@@ -80,7 +80,8 @@ nb::object packed_frame(const FrameThrough& frame) {
 std::optional<FrameThrough> unpacked_frame(nb::handle packed) {
   if (packed.is_none()) return std::nullopt;
   FrameThrough frame{{}, nb::cast<bool>(packed[1]), tangent_axis(nb::cast<std::string>(packed[2]))};
-  for (const nb::handle joint : nb::list(packed[0]))
+  const nb::object joints = packed[0];
+  for (const nb::handle joint : nb::list(nb::handle(joints)))
     frame.joints.push_back(
         {nb::cast<std::size_t>(joint[0]), vector(joint[1], "f2"), nb::cast<long>(joint[2])});
   return frame;

@@ -9,6 +9,7 @@
 #include "phrame/answer/construction.hpp"
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/io/read/any_path.hpp"
+#include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/sweep_turn.hpp"
@@ -201,6 +202,61 @@ TEST_CASE("frame through orientations: no other way to turn has less of what is 
   }
   CHECK(abs(as_double(twist.rate_slope({0, Rational(0)}))) < 1e-15);
   CHECK(abs(as_double(twist.rate_slope({2, Rational(1)}))) < 1e-15);
+}
+
+TEST_CASE(
+    "frame through orientations: angular velocity and acceleration are the derivatives of frames") {
+  using enum TabulatedScalar;
+  constexpr long digits = 40;
+  for (const bool is_smooth : {false, true}) {
+    const NamedPath named = path_of_truth(is_smooth);
+    const PathAngle rmf(named.path);
+    TableColumns columns{{TabulatedFrame::exact_mtf},
+                         {arc_length, twist_omega_x, twist_omega_y, twist_omega_z, twist_alpha_x,
+                          twist_alpha_y, twist_alpha_z}};
+    columns.exact_mtf.emplace(rmf, *named.frame);
+    columns.digits = digits;
+    // Also of the curve by its positions, with f ≠ 1 and a weight.
+    const Rational h = power_of_two(-40);
+    for (const char* t : {"1/3", "5/4", "11/4"}) {
+      CAPTURE(t);
+      const Rational at = parse_rational(t);
+      std::vector<Place> places;
+      for (const Rational& x : {Rational(at - h), at, Rational(at + h)})
+        places.emplace_back(locate_inside(3, x));
+      const FrameTable table = frame_table(rmf, columns, places);
+      const auto cell = [&](std::size_t row, std::size_t column) {
+        return parse_rational(table.decimals[row][column]);
+      };
+      const auto slope = [&](std::size_t column) {
+        return Rational((cell(2, column) - cell(0, column)) / (cell(2, 13) - cell(0, 13)));
+      };
+      const auto vector = [&](std::size_t column) {
+        return Vector<Rational>{cell(1, column), cell(1, column + 1), cell(1, column + 2)};
+      };
+      for (const std::size_t axis : {4U, 7U, 10U}) {  // e₁, f₂, f₃: their derivatives are ω × them
+        const Vector<Rational> turned = cross(vector(14), vector(axis));
+        for (std::size_t k = 0; k < 3; ++k)
+          CHECK(abs(slope(axis + k) - turned[k]) < power_of_ten(-20));
+      }
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK(abs(slope(14 + k) - cell(1, 17 + k)) < power_of_ten(-20));
+    }
+  }
+  // Of a rational curve, with |r′| that is no |H| times a constant.
+  const Path arc(Segment(RationalCurve(
+      {Polynomial{1, 0, -1}, Polynomial{0, 2}, Polynomial{0, 1, 3}}, Polynomial{1, 0, 1})));
+  const auto turning = [&](const Rational& t) {
+    const Vector<Real> bend = cross(tangent(arc, {0, t}), curvature_vector(arc, {0, t}));
+    return near(bend);
+  };
+  const Rational h = power_of_two(-40);
+  const Rational ds = near({PathLength(arc).value({0, Rational(1, 3) + h}) +
+                                -PathLength(arc).value({0, Rational(1, 3) - h}),
+                            Rational(0), Rational(0)})[0];
+  const Vector<Rational> change = turning(Rational(1, 3) + h) - turning(Rational(1, 3) - h);
+  const Vector<Rational> slope = near(turning_slope(arc, {0, Rational(1, 3)}));
+  for (std::size_t k = 0; k < 3; ++k) CHECK(abs(change[k] / ds - slope[k]) < power_of_ten(-18));
 }
 
 TEST_CASE("frame through orientations: of a closed path the smooth one closes with its rate") {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
@@ -15,21 +17,20 @@ bool is_smooth(const PathTwistAnswer& answer) { return answer.path.frame->is_smo
 
 /// What the frame is, as prose() has it.
 std::string definition(const PathTwistAnswer& answer) {
-  std::string text = fmt::format(
-      "The frame meets {} orientations, exactly. From each to the next it turns about $e₁$ by $T$, "
-      "in $(−π, π]$ but for\n"
-      "turns that are asked for, against the rotation-minimizing frame, at the rate $ω$ per "
-      "length:\n",
-      answer.path.frame->joints.size());
-  text +=
-      is_smooth(answer)
-          ? "$ω$ is continuous, the derivative of a cubic spline of the length $s$, and of all "
-            "such frames this has\n"
-            "the least $∫ ω′²\\, ds$; the least $∫ ω²\\, ds$ that is possible has the frame that "
-            "turns evenly.\n"
-          : "evenly, so that no frame with these orientations and turns has a lesser $∫ ω²\\, "
-            "ds$.\n";
-  return text + "\n";
+  const auto& joints = answer.path.frame->joints;
+  const bool has_turns =
+      std::ranges::any_of(joints, [](const FrameThrough::Joint& joint) { return joint.turns != 0; });
+  const std::string through = fmt::format(
+      "The frame meets {} orientations, exactly. From each to the next it turns about $e₁$ by $T$ "
+      "against the\nrotation-minimizing frame{}, ",
+      joints.size(), has_turns ? ", with the turns that are asked for" : "");
+  if (is_smooth(answer))
+    return through +
+           "by a cubic spline of the length: its rate $ω$ is continuous, and no such frame\n"
+           "that meets them has a lesser $∫ ω′²\\, ds$.\n\n";
+  return through +
+         "evenly: no frame that meets them has a lesser $∫ ω²\\, ds$,\n"
+         "$ω$ being the rate per length.\n\n";
 }
 
 JsonOutput json_of(const PathTwistAnswer::Leg& leg) {

@@ -1,0 +1,168 @@
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace poses_test {
+
+namespace {
+
+constexpr auto poses =
+    R"({"phrame": "poses/1", "name": "three", "points": [[0, 0, 0], [1, 0, 0], [2, 1, 0]],
+    "orientations": [[0, 0, 0, 1], [[1, 0, 0], [0, 0, -1], [0, 1, 0]], {"e1": [0, 1, 0], "e3": [0, 0, 1]}],
+    "turns": [0, 1]})";
+constexpr auto table =
+    "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n1,0,0,0.5,0.5,0.5,0.5\n2,1,0,0,0,0.6,0.8\n";
+
+/// The numbers of the rows of a table below its header.
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    std::string cell;
+    while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+using Numbers = std::vector<double>;
+
+}  // namespace
+
+TEST_CASE("poses: quaternions, matrices and axes of poses/1 are met, in the axes of the body") {
+  const Workshop here;
+  here.write("poses.json", poses);
+  const Run run = here.run("construct poses.json -o path.json");
+  check_success(run);
+  CHECK(contains(run.out, "orientations    met exactly; tangent: x; between them: the least turn"));
+  const Json file = Json::parse(bytes_of(here.file("path.json")));
+  CHECK(file["phrame"] == "spline/1");
+  CHECK(file["frame"]["through"][1] == Json({{"t", 1}, {"f2", {"0", "0", "1"}}}));
+  CHECK(file["frame"]["through"][2]["turns"] == 1);
+  const Run frames = here.run("frames path.json --frame mtf-exact --at 0,1,2");
+  check_success(frames);
+  const auto rows = rows_of(frames.out);
+  CHECK(Numbers(rows[0].begin() + 4, rows[0].end()) == Numbers{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  CHECK(Numbers(rows[1].begin() + 4, rows[1].end()) == Numbers{1, 0, 0, 0, 0, 1, 0, -1, 0});
+  CHECK(Numbers(rows[2].begin() + 4, rows[2].end()) == Numbers{0, 1, 0, -1, 0, 0, 0, 0, 1});
+  const Run mtf = here.run("mtf path.json --print json --at 1/2");
+  check_success(mtf);
+  const Json answer = Json::parse(mtf.out);
+  CHECK(answer["phrame"] == "twist-through/1");
+  CHECK(answer["twist_kind"] == "even");
+  CHECK(answer["legs"].size() == 2);
+  CHECK(std::stod(answer["legs"][1]["twist"].get<std::string>()) > 3.1415);  // a turn more
+}
+
+TEST_CASE("poses: of a table by --tangent-axis, whose quaternions and matrices come out again") {
+  const Workshop here;
+  here.write("poses.csv", table);
+  for (const std::string axis : {"x", "y", "z", "-x", "-y", "-z"}) {
+    CAPTURE(axis);
+    check_success(here.run("construct poses.csv --tangent-axis=" + axis + " -o path.json"));
+    const Run frames =
+        here.run("frames path.json --frame mtf-exact --at 0,1,2 --columns quaternion,matrix");
+    check_success(frames);
+    const auto rows = rows_of(frames.out);
+    CHECK(Numbers(rows[0].begin() + 13, rows[0].begin() + 17) == Numbers{0, 0, 0, 1});
+    CHECK(Numbers(rows[1].begin() + 13, rows[1].begin() + 17) == Numbers{0.5, 0.5, 0.5, 0.5});
+    CHECK(Numbers(rows[2].begin() + 13, rows[2].begin() + 17) == Numbers{0, 0, 0.6, 0.8});
+    CHECK(Numbers(rows[1].begin() + 17, rows[1].begin() + 28) ==
+          Numbers{0, 0, 1, 1, 1, 0, 0, 0, 0, 1, 0});
+  }
+  // Without it the orientations are skipped, as they were.
+  const Run plain = here.run("construct poses.csv --print curve");
+  CHECK_FALSE(contains(plain.out, "\"frame\""));
+  // Matrices without names, a TUM trajectory, and the other order.
+  here.write("kitti.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n0 0 1 1 1 0 0 0 0 1 0 0\n");
+  check_success(here.run("construct kitti.txt --tangent-axis z -o kitti.json"));
+  here.write("tum.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0.5 0.5 0.5 0.5\n");
+  check_success(here.run("construct tum.txt --tangent-axis x -o tum.json"));
+  const auto of = [&](const std::string& file) {
+    return rows_of(
+               here.run("frames " + file + " --frame mtf-exact --at 1 --columns quaternion").out)
+        .at(0);
+  };
+  CHECK(of("tum.json")[13] == 0.5);
+  CHECK(of("kitti.json")[16] == 0.5);
+  here.write("wxyz.txt", "0 0 0 0 1 0 0 0\n1 1 0 0 0.8 0 0 0.6\n");
+  check_success(here.run("construct wxyz.txt --tangent-axis x --quaternion wxyz -o wxyz.json"));
+  CHECK(of("wxyz.json")[15] == 0.6);
+  check_success(
+      here.run("construct wxyz.txt --tangent-axis x --quaternion wxyz --inverse -o inverse.json"));
+  CHECK(of("inverse.json")[15] == -0.6);
+}
+
+TEST_CASE("poses: rounded matrices are said to be off, and another axis that may have been meant") {
+  const Workshop here;
+  here.write("rounded.txt",
+             "0.866 -0.5 0 0 0.5 0.866 0 0 0 0 1 0\n0.866 -0.5 0 1 0.5 0.866 0 0.6 0 0 1 0\n");
+  const Run run = here.run("construct rounded.txt --tangent-axis x --print json");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  // √(0.866² + 0.5²) is 1 − 2.2e-5, about.
+  CHECK(std::stod(report["orientations"]["off"].get<std::string>()) ==
+        doctest::Approx(2.2e-5).epsilon(0.05));
+  CHECK_FALSE(contains(run.err, "--tangent-axis"));
+  CHECK(contains(here.run("construct rounded.txt --tangent-axis z").err,
+                 "--tangent-axis x takes that"));
+}
+
+TEST_CASE("poses: a closed list gives a closed path, with a body that closes") {
+  const Workshop here;
+  here.write("ring.csv",
+             "x,y,z,qx,qy,qz,qw\n1,0,0,0,0,1,1\n0,1,0,0,0,1,0\n-1,0,0,0,0,-1,1\n0,-1,0,0,0,0,1\n1,"
+             "0,0,0,0,-2,-2\n");
+  check_success(here.run(
+      "construct ring.csv --tangent-axis x --closed --smooth-twist --turns 1,0,0,0 -o ring.json"));
+  const Run body = here.run("sweep ring.json --profile rectangle:1/4,1/8 -o ring.stl");
+  check_success(body);
+  CHECK(contains(body.out, "closed by a turn of 6.28319"));
+  check_success(here.run("page ring.json -o ring.html"));
+}
+
+TEST_CASE("poses: what is none is refused with its place") {
+  const Workshop here;
+  const auto refused = [&](const std::string& name, const std::string& content,
+                           const std::string& options, const std::string& reason) {
+    here.write(name, content);
+    const Run run = here.run("construct " + name + options);
+    CAPTURE(run.err);
+    CHECK(run.status == 2);
+    CHECK(contains(run.err, reason));
+  };
+  const auto with = [](const std::string& orientation) {
+    return R"({"phrame": "poses/1", "points": [[0, 0, 0], [1, 0, 0]], "orientations": [[0, 0, 0, 1], )" +
+           orientation + "]}";
+  };
+  refused("a.json", with("[0, 0, 0, 0]"), "", "/orientations/1: the quaternion is 0");
+  refused("b.json", with("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]"), "",
+          "/orientations/1: this is no rotation");
+  refused("c.json", with(R"({"e1": [1, 0, 0]})"), "", "two of the axes");
+  refused("d.json", with("[1, 2]"), "", "2 items here: a quaternion has 4 numbers");
+  refused("e.json", with("[0, 0, 0, 1]"), " --kind c2", "takes no orientations");
+  refused("f.csv", "x,y,z\n0,0,0\n1,0,0\n", " --tangent-axis x", "columns f2x, f2y, f2z or qw");
+  refused("g.csv", "x,y,z\n0,0,0\n1,0,0\n", " --smooth-twist", "--tangent-axis says");
+  refused("h.csv", "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0\n1,0,0,0,0,0,1\n", " --tangent-axis x",
+          "line 2: the quaternion is 0");
+  const auto frame = [&](const std::string& through) {
+    here.write(
+        "spline.json",
+        R"({"phrame": "spline/1", "segments": [{"control_points": [[0, 0, 0], [1, 0, 0]]}], "frame": {"through": )" +
+            through + "}}");
+    const Run run = here.run("frames spline.json --frame mtf-exact --at 0");
+    CHECK(run.status != 0);
+    return run.err;
+  };
+  CHECK(contains(frame(R"([{"t": 0, "f2": [0, 0, 1]}])"), "there is none at both ends"));
+  CHECK(contains(frame(R"([{"t": 0, "f2": [0, 0, 1]}, {"t": 2, "f2": [0, 0, 1]}])"),
+                 "/frame/through/1/t: 2 is no joint"));
+  CHECK(contains(frame(R"([{"t": 0, "f2": [1, 0, 0]}, {"t": 1, "f2": [0, 0, 1]}])"),
+                 "the orientation at t = 0: the vector (1, 0, 0) has no part"));
+}
+
+}  // namespace poses_test
