@@ -152,6 +152,7 @@ class Rows {
   const Frame<Real>& erf(const Place& at);
   const Frame<Real>& rmf(const Place& at);
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
+  Frame<Real> unrolled(TabulatedFrame kind, const Place& at);
   Frame<Real> of_least_twist(const Place& at);
   Real arc_length(const Place& at) const;
   Real scalar(TabulatedScalar kind, const Place& at);
@@ -187,7 +188,7 @@ void Rows::add_where_defined(TableRow& row, std::size_t count, Add add) {
 }
 
 void Rows::expect(const std::vector<Place>& points) {
-  if (columns_.digits > 0) return;
+  if (columns_.digits > 0 || !columns_.roll.is_zero()) return;
   if (!goes_on(path()) || angle_.reference() != Reference::euler_rodrigues || !start_.exact) return;
   const Curve& curve = *ph_curve(path().segments().front());
   const std::size_t many = 1000 + 20 * static_cast<std::size_t>(preimage_degree(curve));
@@ -225,7 +226,14 @@ Frame<Real> Rows::of_least_twist(const Place& at) {
                                                                : twist.frame(at);
 }
 
+/// Those of Euler and Rodrigues and of Frenet are as they are.
 Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
+  const Frame<Real> found = unrolled(kind, at);
+  const bool is_fixed = kind == TabulatedFrame::euler_rodrigues || kind == TabulatedFrame::frenet;
+  return columns_.roll.is_zero() || is_fixed ? found : turned(found, columns_.roll.at(at));
+}
+
+Frame<Real> Rows::unrolled(TabulatedFrame kind, const Place& at) {
   switch (kind) {
     case TabulatedFrame::rmf:
       return rmf(at);
@@ -386,6 +394,7 @@ void add_row(FrameTable& table, std::vector<double> row,
 FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
                        const std::vector<Place>& at) {
   require_twists(columns);
+  columns.roll.require_along(angle.path().segments().size());
   Rows rows(angle, columns);
   rows.expect(at);
   FrameTable table{names_of(columns), {}};

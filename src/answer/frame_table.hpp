@@ -2,6 +2,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
+#include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
@@ -49,6 +50,8 @@ struct TableColumns {
   std::optional<PathTwist> exact_mtf = {};  ///< likewise
   /// Where the rotation-minimizing frame starts.
   FrameStart start = {};
+  /// By what the frames rmf, up, mtf and exact_mtf are turned about e₁ beside.
+  Roll roll = {};
   /// Is a cell whose number is undefined left empty? Else it is an error.
   bool may_be_empty = false;
   /// Is there each frame as a unit quaternion (x, y, z, w), too, scalar last? Of the two that turn

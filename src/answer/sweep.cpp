@@ -37,6 +37,12 @@ double turn_of(const SweepPath& path, const SweepQuery& query) {
   if (!is_whole) throw DomainError("twist: the path is closed, only whole turns close the body");
   if (query.scale.at_start() != query.scale.at(Rational(static_cast<long>(path.series.segments))))
     throw DomainError("scale: the path is closed, and the scale differs at its ends");
+  const std::size_t segments = path.series.segments;
+  const Angle roll_at_start = query.roll.at(PathParameter{0, 0});
+  const Angle roll_at_end = query.roll.at(PathParameter{segments - 1, 1});
+  if (roll_at_start.radians != roll_at_end.radians ||
+      denominator(Rational((roll_at_end.half_turns - roll_at_start.half_turns) / 2)) != 1)
+    throw DomainError("roll: the path is closed, and the roll differs at its ends");
   if (!query.through) return twist + angle_to(path.frames(0).e2, last);
   if (query.through->joints.front().f2 != query.through->joints.back().f2)
     throw DomainError("the path is closed, and the orientations differ at its ends");
@@ -71,12 +77,14 @@ std::optional<double> normal_tolerance_of(const SweepQuery& query) {
 
 SweepAnswer swept(const SweepPath& path, const SweepQuery& query, std::vector<SweepLeg> legs) {
   query.scale.require_along(path.series.segments);
+  query.roll.require_along(path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
   // What rounding leaves of no turn is none.
   const double found = turn_of(path, query);
   const double turn = std::abs(found) > 0x1p-44 ? found : 0;
   SweepForm form{query.profile,    query.scale,  turn,          query.tolerance_or_sections,
-                 normal_tolerance, query.origin, query.numbers, std::move(legs)};
+                 normal_tolerance, query.origin, query.numbers, std::move(legs),
+                 query.roll};
   double all_turn = turn;
   for (const SweepLeg& leg : form.legs) all_turn += leg.turn;
   if (normal_tolerance && query.profile_within)

@@ -5,6 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 #include "phrame/ph/sweep/sweep.hpp"
@@ -25,7 +26,8 @@ struct SweepQuery {
   /// Orientations that the frame is to have, as PathTwist has them, instead of those of `start` and
   /// `end_normal`.
   std::optional<FrameThrough> through = {};
-  Angle twist = {};       ///< a further turn, at a constant rate
+  Roll roll = {};    ///< by which the profile is turned, too; of a closed path alike at its ends
+  Angle twist = {};  ///< a further turn, at a constant rate
   SweepScale scale = {};  ///< λ(t) > 0, by which the profile is scaled
   /// The greatest distance between mesh and surface, or the number of sections.
   std::variant<Rational, long> tolerance_or_sections = 100L;

@@ -8,7 +8,9 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/exchange.hpp"
 #include "phrame/io/read/angle.hpp"
+#include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/read/point_table.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/text.hpp"
@@ -135,6 +137,55 @@ void add_skip_invalid(Command& command, FileReading& reading) {
   command.add_flag("--skip-invalid", reading.skips_invalid,
                    "of tables, leave out rows that miss a number and points that are those\n"
                    "before them");
+}
+
+void RollOption::add_to(Command& command) {
+  command.add_option(
+      "--roll", "EXPR", roll,
+      "an angle by which the frame is turned about e1 beside: a rational function\n"
+      "of t in radians, \"t^2/3\", or in degrees, \"30*t deg\", or a list of angles at\n"
+      "t = 0, 1, ..., between which it is linear");
+  command.add_option("--roll-column", "NAME", column,
+                     "of a table of points: the column with these values in radians, \"bank\", or\n"
+                     "degrees, \"bank:deg\"");
+  command.not_with({"--roll"}, {"--roll-column"});
+}
+
+namespace {
+
+Roll rolled(const std::string& text) {
+  const std::vector<std::string> parts = split({text});
+  if (parts.size() > 1) {
+    std::vector<Angle> angles;
+    for (const std::string& part : parts) angles.push_back(parse_angle_option("--roll", part));
+    return Roll(angles);
+  }
+  const bool are_degrees = text.ends_with("deg");
+  std::string formula = are_degrees ? text.substr(0, text.size() - 3) : text;
+  formula.erase(formula.find_last_not_of(' ') + 1);
+  const RationalFunction f =
+      at_place("--roll", ", ", [&] { return parse_expression(formula, "t").value; });
+  if (!are_degrees) return Roll::Piece{RationalFunction(), f};
+  return Roll::Piece{RationalFunction(Polynomial{Rational(1, 180)}) * f, RationalFunction()};
+}
+
+}  // namespace
+
+std::string RollOption::column_name() const {
+  if (!column) return "";
+  return column->ends_with(":deg") ? column->substr(0, column->size() - 4) : *column;
+}
+
+Roll RollOption::chosen(const std::string& file, const FileReading& reading) const {
+  if (roll) return rolled(*roll);
+  if (!column) return {};
+  const bool are_degrees = column->ends_with(":deg");
+  const std::string name = column_name();
+  const auto numbers = at_place(name_of_file(file), ":",
+                                [&] { return read_column(read_file(file), name, reading); });
+  std::vector<Angle> angles;
+  for (const Rational& x : numbers) angles.push_back(are_degrees ? Angle(x / 180, 0) : Angle(x));
+  return Roll(angles);
 }
 
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {

@@ -7,6 +7,7 @@
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame::cli {
@@ -133,6 +134,20 @@ struct UpOption {
   /// v: what is given, or one that is chosen where that `is_wanted`. Throws InputError for a v that
   /// is 0 or along the tangent.
   std::optional<Vector<Rational>> chosen(const Path& path, bool is_wanted = false) const;
+};
+
+/// --roll and --roll-column: by what a frame is turned about e₁ beside.
+struct RollOption {
+  std::optional<std::string> roll;
+  std::optional<std::string> column;
+
+  void add_to(Command& command);
+  bool is_given() const { return roll || column; }
+  /// Without its unit; empty where there is none.
+  std::string column_name() const;
+  /// What is asked for, with the table that the curve is read from. Throws InputError.
+  Roll chosen(const std::string& file, const FileReading& reading) const;
+  static std::vector<std::string> names() { return {"--roll", "--roll-column"}; }
 };
 
 /// --max-degree

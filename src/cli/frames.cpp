@@ -19,6 +19,7 @@ struct FramesOptions {
   CurveOptions curve;
   Parameters parameters;
   StartOptions start;
+  RollOption roll;
   TwistOptions twist;
   std::vector<std::string> frames{"rmf"};
   std::vector<std::string> scalars;
@@ -229,9 +230,18 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
       choose<By>("--by", options.by,
                  {{"t", By::parameter}, {"native", By::native}, {"arc-length", By::arc_length}});
   chosen.start = options.start.start();
+  chosen.roll = options.roll.chosen(options.curve.path, options.curve.reading);
+  if (options.roll.is_given() && std::ranges::any_of(chosen.scalars, [](TabulatedScalar scalar) {
+        return scalar == TabulatedScalar::bend_f2 || scalar == TabulatedScalar::bend_f3 ||
+               scalar >= TabulatedScalar::twist_rate;
+      }))
+    throw InputError("--roll", "is not in the columns bishop and twist_...");
   if (options.parameters.values().empty())
     throw InputError("frames", "--samples N or --at t,… is needed");
-  const NamedPath named = options.curve.read_any_path();
+  CurveOptions curve = options.curve;
+  curve.reading.other_columns = {options.roll.column_name()};
+  const NamedPath named = curve.read_any_path();
+  chosen.roll.require_along(named.path.segments().size());
   const bool is_to_up = has_frame(chosen, TabulatedFrame::up) || options.start.is_up();
   if (options.up.vector && !is_to_up && has_frame(chosen, TabulatedFrame::mtf))
     throw InputError("--up", "mtf and mtf-exact are at angles to the Euler-Rodrigues frame here");
@@ -306,6 +316,7 @@ void add_frames(Program& program) {
                      "breaks at a joint, that before it, or a row for each");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.only_with(StartOptions::names(), {"--frame rmf"});
+  options->roll.add_to(command);
   options->up.add_to(
       command,
       "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, that --start up starts\n"

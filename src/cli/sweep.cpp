@@ -22,6 +22,7 @@ struct SweepOptions {
   CurveOptions curve;
   std::string profile;
   StartOptions start;
+  RollOption roll;
   std::optional<std::string> end_normal;
   std::optional<std::string> twist;
   std::string scale = "1";
@@ -108,6 +109,7 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   const Profile profile = profile_of(options, greatest);
   SweepQuery query{profile, options.start.start()};
   query.scale = scale;
+  query.roll = options.roll.chosen(options.curve.path, options.curve.reading);
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   if (options.twist) query.twist = parse_angle_option("--twist", *options.twist);
@@ -207,7 +209,7 @@ void run(const Command& command, const SweepOptions& options) {
       "--format", options.format,
       {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
   CurveOptions curve = options.curve;
-  curve.reading.other_column = options.scale_column.value_or("");
+  curve.reading.other_columns = {options.scale_column.value_or(""), options.roll.column_name()};
   const NamedPath named = curve.read_any_path();
   const auto up = UpOption().chosen(named.path, options.start.is_up());
   options.start.check(named.path, up);
@@ -241,6 +243,8 @@ void add_sweep(Program& program) {
   command.add_option("--scale-column", "NAME", options->scale_column,
                      "of a table of points: the column with these values, \"radius\"");
   command.not_with({"--scale-column"}, {"--scale", "--exact"});
+  options->roll.add_to(command);
+  command.not_with(RollOption::names(), {"--exact"});
   command.add_option("--tolerance", "DISTANCE", options->tolerance,
                      "between mesh and surface, at most, proved (default: 1/200 of the profile)");
   command.add_option(

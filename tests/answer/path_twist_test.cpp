@@ -8,6 +8,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/construction.hpp"
 #include "phrame/answer/frame_table.hpp"
+#include "phrame/answer/sweep.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/curve/scale.hpp"
@@ -319,6 +320,53 @@ TEST_CASE("frame through orientations: a body turns as the frame does") {
         CHECK(std::abs(as_double(phi) - turn.angle(k, t)) <= turn.error());
       }
   }
+}
+
+TEST_CASE("roll: a constant one is a start turned by it, in tables and bodies") {
+  const NamedPath named = path_of_truth(false);
+  const PathAngle rmf(named.path);
+  const Angle quarter(Rational(1, 2), 0);
+  std::vector<Place> places;
+  for (const char* t : {"0", "2/3", "3/2", "3"})
+    places.emplace_back(locate_inside(3, parse_rational(t)));
+  TableColumns started{{TabulatedFrame::rmf}};
+  started.start = LeastRotation{quarter};
+  TableColumns rolled{{TabulatedFrame::rmf, TabulatedFrame::euler_rodrigues}};
+  rolled.roll = Roll(std::vector<Angle>(4, quarter));
+  const FrameTable a = frame_table(rmf, started, places);
+  const FrameTable b = frame_table(rmf, rolled, places);
+  const FrameTable erf = frame_table(rmf, {{TabulatedFrame::euler_rodrigues}}, places);
+  for (std::size_t row = 0; row < places.size(); ++row)
+    for (std::size_t k = 0; k < 6; ++k) {
+      CHECK(a.rows[row][7 + k] == b.rows[row][7 + k]);
+      CHECK(erf.rows[row][7 + k] == b.rows[row][13 + k]);  // which is not turned
+    }
+  // A roll by the share of t is what a turn by the length is where the speed is constant.
+  const NamedPath line("", Path(Curve({{1}, {}, {}, {}})));
+  SweepQuery by_length{rectangle_profile(1, Rational(1, 2))};
+  by_length.twist = quarter;
+  by_length.tolerance_or_sections = 7L;
+  SweepQuery by_roll{rectangle_profile(1, Rational(1, 2))};
+  by_roll.roll = Roll(std::vector<Angle>{Angle(0, 0), quarter});
+  by_roll.tolerance_or_sections = 7L;
+  const auto one = answer(line, by_length).body.mesh.points;
+  const auto other = answer(line, by_roll).body.mesh.points;
+  REQUIRE(one.size() == other.size());
+  for (std::size_t n = 0; n < one.size(); ++n)
+    for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(one[n][k] - other[n][k]) < 1e-14);
+  // Its rates bound what it does.
+  SweepForm form{rectangle_profile(1, 2), {}, 0, 10L};
+  form.roll =
+      Roll(Roll::Piece{RationalFunction(Polynomial{0, 0, 1}), RationalFunction(Polynomial{1, -2})});
+  const SweepTurn turn(sweep_path(named.path, CompiledFrames(rmf, StartAngle())), form);
+  const RealBall all(Rational(1, 2), 64);
+  CHECK(turn.angle(1, 0.5) == doctest::Approx(2.25 * M_PI - 2).epsilon(1e-14));
+  CHECK(turn.roll_rate(1, 0.5) == doctest::Approx(3 * M_PI - 2).epsilon(1e-14));
+  CHECK(turn.roll_bound(1, 1, all) >= 3 * M_PI - 2);
+  CHECK(turn.roll_bound(2, 1, all) >= 2 * M_PI);
+  CHECK_FALSE(turn.is_zero());
+  by_roll.roll = Roll(std::vector<Angle>{Angle(0, 0), quarter, Angle(0, 0)});
+  CHECK_THROWS_AS(answer(line, by_roll), DomainError);
 }
 
 }  // namespace path_twist_test

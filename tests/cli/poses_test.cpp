@@ -165,4 +165,26 @@ TEST_CASE("poses: what is none is refused with its place") {
                  "the orientation at t = 0: the vector (1, 0, 0) has no part"));
 }
 
+TEST_CASE("roll: as a formula, a list and a column it is the same") {
+  const Workshop here;
+  here.write("bank.csv", "x,y,z,bank\n0,0,0,0\n1,0,0,30\n2,1,0,60\n");
+  const Run formula = here.run("frames bank.csv --samples 5 --roll '30*t deg'");
+  const Run list = here.run("frames bank.csv --samples 5 --roll 0,30deg,pi/3");
+  const Run column = here.run("frames bank.csv --samples 5 --roll-column bank:deg");
+  check_success(column);
+  CHECK(column.out == list.out);
+  CHECK(column.out == formula.out);
+  CHECK(column.out != here.run("frames bank.csv --samples 5").out);
+  const Run body =
+      here.run("sweep bank.csv --roll-column bank:deg --profile rectangle:1/2,1/9 -o a.obj");
+  check_success(body);
+  check_success(here.run("sweep bank.csv --roll '30*t deg' --profile rectangle:1/2,1/9 -o b.obj"));
+  CHECK(bytes_of(here.file("a.obj")) == bytes_of(here.file("b.obj")));
+  const Run few = here.run("frames bank.csv --samples 5 --roll 0,1");
+  CHECK(few.status == 3);
+  CHECK(contains(few.err, "roll: 2 values for 3 joints"));
+  CHECK(
+      contains(here.run("sweep bank.csv --roll '1/(t-1)' --profile circle:1/9").err, "not finite"));
+}
+
 }  // namespace poses_test

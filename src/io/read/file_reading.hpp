@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "phrame/export.hpp"
 
@@ -16,8 +17,8 @@ struct PHRAME_API FileReading {
   std::string pick = {};
   /// What the points of tables and lists are: natural, periodic, polyline, bezier or bspline.
   std::string kind = {};
-  /// The name of a column that is read for something else: no note says that it was skipped.
-  std::string other_column = {};
+  /// The names of columns that are read for something else: no note says that they were skipped.
+  std::vector<std::string> other_columns = {};
   /// With skips_invalid: files that have no rows to skip are not refused.
   bool skips_where_possible = false;
 

@@ -78,8 +78,7 @@ std::unique_ptr<NumberTable> without_missing(std::unique_ptr<NumberTable> table,
   return with_rows(std::move(table), std::move(kept), "without a number");
 }
 
-std::unique_ptr<NumberTable> read_number_table(std::string_view bytes,
-                                               const TableReading& reading) {
+std::unique_ptr<NumberTable> read_number_table(std::string_view bytes, const TableForm& reading) {
   if (NpyTable::is_one(bytes)) return std::make_unique<NpyTable>(bytes);
   const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   if (first != std::string_view::npos && bytes[first] == '[')

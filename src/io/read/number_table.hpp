@@ -89,13 +89,13 @@ std::unique_ptr<NumberTable> without_missing(std::unique_ptr<NumberTable> table,
                                              const std::vector<std::size_t>& columns);
 
 /// What a table of text is to be, for complaints, and where its columns may have their names.
-struct TableReading {
+struct TableForm {
   bool reads_comment = false;  ///< the last comment above the numbers may be the header
   std::string_view row = "numbers";
 };
 
 /// A table of NumPy (NpyTable), of JSON, where it begins with a '[' (JsonTable), or of text
 /// (TextTable). Refers to the bytes.
-std::unique_ptr<NumberTable> read_number_table(std::string_view bytes, const TableReading& reading);
+std::unique_ptr<NumberTable> read_number_table(std::string_view bytes, const TableForm& reading);
 
 }  // namespace phrame

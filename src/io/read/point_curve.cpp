@@ -356,7 +356,8 @@ PointCurve read_point_table(std::string_view bytes, const CurveLimits& limits,
   Settings settings = has_comments ? read_comments(bytes) : Settings();
   if (!reading.kind.empty()) settings = {{"kind", {reading.kind, "--kind"}}};
   PointTable read = read_points_of_table(bytes, reading);
-  std::erase(read.given.skipped_columns, reading.other_column);
+  for (const std::string& other : reading.other_columns)
+    std::erase(read.given.skipped_columns, other);
   return table_curve(*read.table, std::move(read.given), settings, limits);
 }
 

@@ -144,7 +144,7 @@ std::string TextTable::place(std::size_t row) const {
   return fmt::format("line {}", rows_[row].line);
 }
 
-TextTable::TextTable(std::string_view text, const TableReading& reading) {
+TextTable::TextTable(std::string_view text, const TableForm& reading) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw InputError("line 1", "the text is UTF-16; UTF-8 is wanted");
   if (text.starts_with("PK\x03\x04"))

@@ -17,7 +17,7 @@ namespace phrame {
 class TextTable : public NumberTable {
  public:
   /// Throws InputError for what is no table, or has no row, and for rows of unequal widths.
-  TextTable(std::string_view text, const TableReading& reading);
+  TextTable(std::string_view text, const TableForm& reading);
 
   std::string header_place() const override;
   std::size_t rows() const override { return rows_.size(); }

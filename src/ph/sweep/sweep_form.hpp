@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "phrame/ph/curve/curve_series.hpp"
+#include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/sweep/mesh_numbers.hpp"
 #include "phrame/ph/sweep/profile.hpp"
@@ -49,6 +50,7 @@ struct SweepForm {
   Coordinates numbers = Coordinates::doubles;  ///< that the coordinates are
   /// What it turns beside that: one after the other, to the end of the path; or none.
   std::vector<SweepLeg> legs = {};
+  Roll roll = {};  ///< and beside that
 };
 
 /// A part of a segment of a path.

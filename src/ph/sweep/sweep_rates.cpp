@@ -79,8 +79,8 @@ std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& s
       (jerk + 3 * rates.tangent * rates.acceleration) / rates.speed_below * sweep_slack;
   for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, part.segment, t);
   const double per_length = turn.rate_bound(part.segment);
-  rates.turn = per_length * rates.speed * sweep_slack;
-  rates.turn2 = (per_length * rates.acceleration +
+  rates.turn = (per_length * rates.speed + turn.roll_bound(1, part.segment, t)) * sweep_slack;
+  rates.turn2 = (turn.roll_bound(2, part.segment, t) + per_length * rates.acceleration +
                  turn.second_bound(part.segment) * rates.speed * rates.speed) *
                 sweep_slack;
   return rates;

@@ -179,7 +179,7 @@ SweepMotion SweepSections::motion(std::size_t segment, double t) const {
   motion.y = std::cos(phi) * frame.e3 - std::sin(phi) * frame.e2;
   motion.scale = scale_.at(0, segment, t);
   motion.scale_rate = scale_.at(1, segment, t);
-  motion.turn_rate = turn_.rate(segment, t) * speed;
+  motion.turn_rate = turn_.rate(segment, t) * speed + turn_.roll_rate(segment, t);
   return motion;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
 
 // Along a leg of the length S, u = s/S ∈ [0, 1] (ph/twist/path_twist.cpp):
@@ -11,8 +12,33 @@
 // of which |(1 − u)(1 − 3u)| and |u(3u − 2)| are ≤ 1, |6u − 4| and |6u − 2| ≤ 4.
 
 namespace phrame {
+namespace {
 
-SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form) : even_(form.turn) {
+constexpr long roll_bits = 96;
+
+}  // namespace
+
+SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form)
+    : even_(form.turn), roll_(form.roll) {
+  if (!roll_.is_zero()) {
+    const std::size_t segments = path.series.segments;
+    const std::size_t count = &roll_.on(0) == &roll_.on(segments - 1) ? 1 : segments;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::array<Roll::Piece, 3> pieces{roll_.on(k)};
+      for (std::size_t n = 1; n < 3; ++n)
+        pieces[n] = {differentiate(pieces[n - 1].half_turns), differentiate(pieces[n - 1].radians)};
+      rolls_.push_back(std::move(pieces));
+    }
+    // Rounded angles, of any size.
+    constexpr long parts = 64;
+    for (std::size_t k = 0; k < segments; ++k)
+      for (long n = 0; n < parts; ++n)
+        roll_error_ = std::max(
+            roll_error_,
+            0x1p-50 * upper_double(absolute(roll_of(
+                          0, k, hull(Rational(n, parts), Rational(n + 1, parts), roll_bits)))));
+    error_ = roll_error_;
+  }
   // A turn that is only what rounding left of none is left out.
   if (std::abs(form.turn) <= 0x1p-44 && form.legs.empty()) return;
   share_.emplace(path.series);
@@ -31,7 +57,8 @@ SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form) : even_(form.
     greatest = std::max(greatest, std::abs(before) + bend);
     first = leg.end;
   }
-  error_ = (error_ + (8 + static_cast<double>(legs_.size())) * 0x1p-52 * greatest) * sweep_slack;
+  error_ = (error_ + roll_error_ + (8 + static_cast<double>(legs_.size())) * 0x1p-52 * greatest) *
+           sweep_slack;
 }
 
 const SweepTurn::Leg* SweepTurn::leg_at(std::size_t segment) const {
@@ -47,9 +74,28 @@ double SweepTurn::share_of(const Leg& leg, std::size_t segment, double t) const 
   return std::clamp(((*share_)(segment, t) - leg.share) * share_->length() / leg.length, 0.0, 1.0);
 }
 
+RealBall SweepTurn::roll_of(std::size_t order, std::size_t segment, const RealBall& t) const {
+  const Roll::Piece& piece = rolls_[rolls_.size() == 1 ? 0 : segment][order];
+  const RealBall along = add(t, RealBall(static_cast<long>(segment), roll_bits), roll_bits);
+  return add(multiply(pi(roll_bits), evaluate(piece.half_turns, along, roll_bits), roll_bits),
+             evaluate(piece.radians, along, roll_bits), roll_bits);
+}
+
+double SweepTurn::roll_rate(std::size_t segment, double t) const {
+  if (roll_.is_zero()) return 0;
+  return approximate(roll_of(1, segment, RealBall(exact_rational(t), roll_bits)));
+}
+
+double SweepTurn::roll_bound(std::size_t order, std::size_t segment, const RealBall& t) const {
+  return roll_.is_zero() ? 0 : upper_double(absolute(roll_of(order, segment, t)));
+}
+
 double SweepTurn::angle(std::size_t segment, double t) const {
-  if (!share_) return 0;
-  double phi = even_ * (*share_)(segment, t);
+  const double rho = roll_.is_zero()
+                         ? 0
+                         : approximate(roll_of(0, segment, RealBall(exact_rational(t), roll_bits)));
+  if (!share_) return rho;
+  double phi = rho + even_ * (*share_)(segment, t);
   if (const Leg* leg = leg_at(segment)) {
     const double u = share_of(*leg, segment, t);
     const double v = 1 - u;

@@ -6,17 +6,20 @@
 
 namespace phrame {
 
-/// φ, the angle by which a profile turns against the rotation-minimizing frame, in doubles: evenly
-/// over the whole length, and leg by leg.
+/// φ + ρ, the angle by which a profile turns against the rotation-minimizing frame, in doubles: φ
+/// evenly over the whole length, and leg by leg, and the roll ρ by t.
 class SweepTurn {
  public:
-  /// Throws Undecided as LengthShare where it turns at all.
+  /// Throws Undecided as LengthShare where it turns by the length.
   SweepTurn(const SweepPath& path, const SweepForm& form);
 
-  bool is_zero() const { return !share_; }  ///< does it not turn?
+  bool is_zero() const { return !share_ && roll_.is_zero(); }  ///< does it not turn?
   /// At t ∈ [0, 1] of a segment.
   double angle(std::size_t segment, double t) const;
-  double rate(std::size_t segment, double t) const;  ///< dφ/ds there
+  double rate(std::size_t segment, double t) const;       ///< dφ/ds there
+  double roll_rate(std::size_t segment, double t) const;  ///< dρ/dt there
+  /// A bound of |dⁿρ/dtⁿ|, n = 1 or 2, on a part of a segment.
+  double roll_bound(std::size_t order, std::size_t segment, const RealBall& t) const;
   /// @{ Bounds of |dφ/ds| and |d²φ/ds²| on a segment.
   double rate_bound(std::size_t segment) const;
   double second_bound(std::size_t segment) const;
@@ -35,8 +38,13 @@ class SweepTurn {
   double share_of(const Leg& leg, std::size_t segment, double t) const;
 
   double even_;  ///< turn over the whole length
+  Roll roll_;
+  /// Of each segment, or one for all; its first two derivatives as well.
+  std::vector<std::array<Roll::Piece, 3>> rolls_;
+  RealBall roll_of(std::size_t order, std::size_t segment, const RealBall& t) const;
   std::optional<LengthShare> share_;
   std::vector<Leg> legs_;
+  double roll_error_ = 0;
   double error_ = 0;
 };
 

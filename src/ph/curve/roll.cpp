@@ -1,0 +1,67 @@
+#include "phrame/ph/curve/roll.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/sturm.hpp"
+
+namespace phrame {
+namespace {
+
+/// From a at t = k to b at k + 1.
+RationalFunction line(const Rational& a, const Rational& b, long k) {
+  const Rational slope = b - a;
+  return RationalFunction(Polynomial{a - k * slope, slope});
+}
+
+Real value_of(const RationalFunction& f, const Real& t) {
+  if (t.exact()) return f(*t.exact());
+  return Real([f, t](long bits) { return evaluate(f, t.enclose(bits + 8), bits + 8); });
+}
+
+}  // namespace
+
+Roll::Roll(const std::vector<Angle>& at_joints) : is_whole_(false) {
+  for (std::size_t k = 0; k + 1 < at_joints.size(); ++k) {
+    const Angle& a = at_joints[k];
+    const Angle& b = at_joints[k + 1];
+    const auto start = static_cast<long>(k);
+    pieces_.push_back({line(a.half_turns, b.half_turns, start), line(a.radians, b.radians, start)});
+  }
+}
+
+bool Roll::is_zero() const {
+  return std::ranges::all_of(pieces_, [](const Piece& piece) {
+    return piece.half_turns.numerator().is_zero() && piece.radians.numerator().is_zero();
+  });
+}
+
+void Roll::require_along(std::size_t segments) const {
+  if (!is_whole_ && pieces_.size() != segments)
+    throw DomainError(fmt::format("roll: {} values for {} joints, 0 to {}", pieces_.size() + 1,
+                                  segments + 1, segments));
+  for (const Piece& piece : pieces_)
+    for (const RationalFunction* f : {&piece.half_turns, &piece.radians})
+      if (count_real_roots(f->denominator(), closed(0, static_cast<long>(segments))) > 0)
+        throw DomainError("roll: it is not finite all along");
+}
+
+Angle Roll::at(const PathParameter& at) const {
+  const Rational t = parameter(at);
+  const Piece& piece = on(at.segment);
+  return {piece.half_turns(t), piece.radians(t)};
+}
+
+Real Roll::at(const Place& at) const {
+  if (at.t.exact()) return to_real(this->at(PathParameter{at.segment, *at.t.exact()}));
+  const Real t = parameter(at);
+  const Piece& piece = on(at.segment);
+  const Real pi_times = value_of(piece.half_turns, t);
+  const Real radians = value_of(piece.radians, t);
+  if (pi_times.exact() == Rational(0)) return radians;
+  return radians + Real([](long bits) { return pi(bits); }) * pi_times;
+}
+
+}  // namespace phrame
