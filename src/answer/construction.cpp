@@ -151,7 +151,7 @@ FrameThrough frame_through(const GivenPoses& poses, const HermiteSpline& data,
   std::size_t joint = 0;
   for (std::size_t k = 0; k < data.frames.size(); ++k) {
     while (parameters[joint] != data.parameters[k]) ++joint;
-    const long turns = k == 0 || poses.turns.empty() ? 0 : poses.turns[k - 1];
+    const long turns = k == 0 || k > poses.turns.size() ? 0 : poses.turns[k - 1];
     through.joints.push_back(
         {joint, each(rotated_j(data.frames[k]), [](const Integer& x) { return Rational(x); }),
          turns});
@@ -242,6 +242,10 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (query.is_closed && row->named.is_open)
     throw InputError(fmt::format("the kind {} makes open curves only", row->named.name));
   HermiteSpline data = hermite_spline(given, query.is_closed);
+  if (given.poses && !given.poses->turns.empty() && given.poses->turns.size() != data.segments() &&
+      given.poses->turns.size() != given.points.size() - 1)
+    throw InputError(
+        "/turns", fmt::format("{} for {} points", given.poses->turns.size(), given.points.size()));
   const Deviation tolerance{query.tolerance * size_of_points(data),
                             row->named.continuity == Continuity::g1
                                 ? query.tolerance

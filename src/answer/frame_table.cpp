@@ -154,6 +154,7 @@ class Rows {
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
   Frame<Real> unrolled(TabulatedFrame kind, const Place& at);
   Frame<Real> of_least_twist(const Place& at);
+  Frame<Real> rational_twist(const Place& at);
   Real arc_length(const Place& at) const;
   Real scalar(TabulatedScalar kind, const Place& at);
   Real turning(TabulatedScalar kind, const Place& at);
@@ -226,6 +227,13 @@ Frame<Real> Rows::of_least_twist(const Place& at) {
                                                                : twist.frame(at);
 }
 
+/// Where orientations are given between the ends they are met exactly.
+Frame<Real> Rows::rational_twist(const Place& at) {
+  const PathTwist& twist = columns_.exact_mtf.value();
+  if (twist.legs().size() > 1 && twist.is_joint(at)) return twist.frame(at, erf(at));
+  return turned(erf(at), value(columns_.mtf.at(twist.leg_at(at)), parameter(twist.on_leg(at))));
+}
+
 /// Those of Euler and Rodrigues and of Frenet are as they are.
 Frame<Real> Rows::frame(TabulatedFrame kind, const Place& at) {
   const Frame<Real> found = unrolled(kind, at);
@@ -244,7 +252,7 @@ Frame<Real> Rows::unrolled(TabulatedFrame kind, const Place& at) {
     case TabulatedFrame::up:
       return up_frame(path(), angle_.up(), at);
     case TabulatedFrame::mtf:
-      return turned(erf(at), value(columns_.mtf.value(), parameter(at)));
+      return rational_twist(at);
     case TabulatedFrame::exact_mtf:
       break;
   }
@@ -345,7 +353,8 @@ TableRow Rows::named_at(const Place& at, std::size_t row) {
 }
 
 void require_twists(const TableColumns& columns) {
-  const bool has_mtf = !has_frame(columns, TabulatedFrame::mtf) || columns.mtf;
+  const bool has_mtf =
+      !has_frame(columns, TabulatedFrame::mtf) || (columns.exact_mtf && !columns.mtf.empty());
   const bool has_exact = !has_frame(columns, TabulatedFrame::exact_mtf) || columns.exact_mtf;
   if (!has_mtf || !has_exact)
     throw DomainError("frame mtf: only Pythagorean-hodograph curves have it");

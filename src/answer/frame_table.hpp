@@ -45,9 +45,9 @@ enum class TabulatedScalar {
 struct TableColumns {
   std::vector<TabulatedFrame> frames;         ///< two vectors each
   std::vector<TabulatedScalar> scalars = {};  ///< a column each
-  /// The frames of minimal twist where there are columns for them; for t on the spline only.
-  std::optional<TwistFrame> mtf = {};
-  std::optional<PathTwist> exact_mtf = {};  ///< likewise
+  /// The frame of minimal twist where there are columns for it; for t on the path only.
+  std::optional<PathTwist> exact_mtf = {};
+  std::vector<TwistFrame> mtf = {};  ///< likewise the rational ones along its legs
   /// Where the rotation-minimizing frame starts.
   FrameStart start = {};
   /// By what the frames rmf, up, mtf and exact_mtf are turned about e₁ beside.
@@ -62,7 +62,8 @@ struct TableColumns {
   /// Is there each frame as a matrix, too? Its columns are the vectors of the frame and r, with (0,
   /// 0, 0, 1) below; its rows follow one another.
   bool have_matrices = false;
-  /// Of the quaternions and matrices of exact_mtf: those of the body whose tangent axis this is.
+  /// Of the quaternions and matrices of exact_mtf and mtf: those of the body whose tangent axis
+  /// this is.
   TangentAxis body = {};
   /// Are the quaternions those of a camera that looks along e₁, with f₂ up? They turn i, j, k into
   /// f₃, f₂, −e₁ then.

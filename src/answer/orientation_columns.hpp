@@ -31,8 +31,8 @@ class OrientationColumns {
   bool have_matrices_;
   /// Which axis of the body is the tangent.
   TangentAxis axis_of(TabulatedFrame kind) const {
-    return kind == TabulatedFrame::exact_mtf ? camera_.value_or(body_)
-                                             : camera_.value_or(TangentAxis());
+    const bool is_of_body = kind == TabulatedFrame::exact_mtf || kind == TabulatedFrame::mtf;
+    return camera_.value_or(is_of_body ? body_ : TangentAxis());
   }
 
   std::optional<TangentAxis> camera_;  ///< x to the right, y up along f₂, and z to the back

@@ -158,22 +158,18 @@ bool has_twist_frames(const TableColumns& columns) {
 void add_twist_frames(TableColumns& columns, const TwistOptions& options, const NamedPath& named,
                       const PathAngle& angle) {
   const bool is_rational = has_frame(columns, TabulatedFrame::mtf);
+  const PathAngle measured = is_rational ? PathAngle(angle.path()) : angle;
   if (named.frame && !options.has_ends()) {
-    columns.exact_mtf.emplace(angle, *named.frame);
+    columns.exact_mtf.emplace(measured, *named.frame);
     columns.body = named.frame->axis;
-    if (is_rational)
-      throw InputError("--frame",
-                       "\"mtf\" is between two ends; the frame through the orientations "
-                       "of the file is mtf-exact");
-    return;
+  } else {
+    const auto [from, to] = options.ends(angle.path());
+    columns.exact_mtf = minimal_twist(measured, from, to, options.turns);
   }
-  const auto [from, to] = options.ends(angle.path());
-  const MinimalTwist twist =
-      minimal_twist(is_rational ? PathAngle(angle.path()) : angle, from, to, options.turns);
-  columns.exact_mtf = twist;
   if (!is_rational) return;
   constexpr long digits = 17;
-  columns.mtf = twist_frame(twist, options.rotation(digits), options.subdivision(angle.path()));
+  columns.mtf =
+      twist_frames(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
 }
 
 template <class Make>

@@ -112,6 +112,26 @@ TEST_CASE("poses: rounded matrices are said to be off, and another axis that may
                  "--tangent-axis x takes that"));
 }
 
+TEST_CASE(
+    "poses: rational frames from pose to pose meet the orientations, and are near the exact one") {
+  const Workshop here;
+  here.write("poses.csv", table);
+  check_success(here.run("construct poses.csv --tangent-axis x -o path.json"));
+  const Run both = here.run("frames path.json --frame mtf,mtf-exact --degree 3 --at 0,1/2,1,3/2,2");
+  check_success(both);
+  const auto rows = rows_of(both.out);
+  for (const std::size_t joint : {0U, 2U, 4U})
+    CHECK(Numbers(rows[joint].begin() + 7, rows[joint].begin() + 13) ==
+          Numbers(rows[joint].begin() + 13, rows[joint].begin() + 19));
+  for (const std::size_t middle : {1U, 3U})
+    for (std::size_t k = 7; k < 13; ++k)
+      CHECK(std::abs(rows[middle][k] - rows[middle][k + 6]) < 0.05);
+  check_success(here.run("construct poses.csv --tangent-axis x --smooth-twist -o smooth.json"));
+  const Run none = here.run("frames smooth.json --frame mtf --at 0");
+  CHECK(none.status == 3);
+  CHECK(contains(none.err, "that of a smooth twist is not known"));
+}
+
 TEST_CASE("poses: a closed list gives a closed path, with a body that closes") {
   const Workshop here;
   here.write("ring.csv",
@@ -145,6 +165,7 @@ TEST_CASE("poses: what is none is refused with its place") {
   refused("c.json", with(R"({"e1": [1, 0, 0]})"), "", "two of the axes");
   refused("d.json", with("[1, 2]"), "", "2 items here: a quaternion has 4 numbers");
   refused("e.json", with("[0, 0, 0, 1]"), " --kind c2", "takes no orientations");
+  refused("i.json", with("[0, 0, 0, 1]"), " --turns 1,2", "/turns: 2 for 2 points");
   refused("f.csv", "x,y,z\n0,0,0\n1,0,0\n", " --tangent-axis x", "columns f2x, f2y, f2z or qw");
   refused("g.csv", "x,y,z\n0,0,0\n1,0,0\n", " --smooth-twist", "--tangent-axis says");
   refused("h.csv", "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0\n1,0,0,0,0,0,1\n", " --tangent-axis x",

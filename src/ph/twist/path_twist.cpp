@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/progress.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/spline_slopes.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -142,28 +143,21 @@ PathTwist::PathTwist(const PathAngle& rmf, const FrameThrough& through) : rmf_(r
   slopes_ = std::make_shared<const Slopes>(Slopes{legs_, is_periodic, {}});
 }
 
-std::size_t PathTwist::index_at(const Place& at) const {
+std::size_t PathTwist::leg_at(const Place& at) const {
   const auto after =
       std::upper_bound(legs_.begin(), legs_.end(), at.segment,
                        [](std::size_t segment, const Leg& leg) { return segment < leg.first; });
   return static_cast<std::size_t>(after - legs_.begin()) - 1;
 }
 
-const PathTwist::Leg& PathTwist::leg_at(const Place& at) const { return legs_[index_at(at)]; }
-
-namespace {
-
-/// The same place on a leg.
-Place on(const PathTwist::Leg& leg, const Place& at) {
+Place PathTwist::on_leg(const Place& at) const {
   Place local = at;
-  local.segment -= leg.first;
+  local.segment -= legs_[leg_at(at)].first;
   return local;
 }
 
-}  // namespace
-
 bool PathTwist::is_joint(const Place& at) const {
-  const Leg& leg = leg_at(at);
+  const Leg& leg = legs_[leg_at(at)];
   return (at.segment == leg.first && at.t.exact() == Rational(0)) ||
          (at.segment + 1 == leg.end() && at.t.exact() == Rational(1));
 }
@@ -174,13 +168,13 @@ PathTwist::Bend PathTwist::bend_of(std::size_t k) const {
 }
 
 Real PathTwist::share(const Leg& leg, const Place& at) const {
-  return remembered(quotient_of(leg.twist.arc_length().value(on(leg, at)), leg.twist.length()));
+  return remembered(quotient_of(leg.twist.arc_length().value(on_leg(at)), leg.twist.length()));
 }
 
 /// What φ is beyond δs.
 Real PathTwist::beyond_even(const Place& at) const {
   if (!is_smooth() || is_joint(at)) return Rational(0);
-  const std::size_t k = index_at(at);
+  const std::size_t k = leg_at(at);
   const auto [a, b] = bend_of(k);
   const Real u = share(legs_[k], at);
   const Real v = Rational(1) + -u;
@@ -188,15 +182,15 @@ Real PathTwist::beyond_even(const Place& at) const {
 }
 
 Real PathTwist::value(const Place& at) const {
-  const std::size_t k = index_at(at);
-  const Real even = legs_[k].twist.value(on(legs_[k], at));
+  const std::size_t k = leg_at(at);
+  const Real even = legs_[k].twist.value(on_leg(at));
   const Real theta = is_smooth() ? even + beyond_even(at) : even;
   return turns_before_[k] == 0 ? theta : theta + whole_turn(turns_before_[k]);
 }
 
 Real PathTwist::reduced_value(const Place& at) const {
-  const Leg& leg = leg_at(at);
-  const Real even = leg.twist.reduced_value(on(leg, at));
+  const Leg& leg = legs_[leg_at(at)];
+  const Real even = leg.twist.reduced_value(on_leg(at));
   return is_smooth() ? even + beyond_even(at) : even;
 }
 
@@ -215,7 +209,7 @@ Real PathTwist::rate_at_end(std::size_t k) const {
 }
 
 Real PathTwist::rate(const Place& at) const {
-  const std::size_t k = index_at(at);
+  const std::size_t k = leg_at(at);
   const Leg& leg = legs_[k];
   if (!is_smooth()) return leg.twist.rate();
   const auto [a, b] = bend_of(k);
@@ -227,7 +221,7 @@ Real PathTwist::rate(const Place& at) const {
 
 Real PathTwist::rate_slope(const Place& at) const {
   if (!is_smooth()) return Rational(0);
-  const std::size_t k = index_at(at);
+  const std::size_t k = leg_at(at);
   const auto [a, b] = bend_of(k);
   const Real six_u = Real(Rational(6)) * share(legs_[k], at);
   return quotient_of(a * (six_u + Rational(-4)) + b * (six_u + Rational(-2)),
@@ -260,7 +254,7 @@ Real PathTwist::squared_slope() const {
 // Where an orientation is given its angle is the argument of a number in ℚ(i), if all is rational.
 Frame<Real> PathTwist::frame(const Place& at, const Frame<Real>& reference) const {
   if (is_joint(at)) {
-    const Leg& leg = leg_at(at);
+    const Leg& leg = legs_[leg_at(at)];
     const bool is_start = at.segment == leg.first && at.t.exact() == Rational(0);
     const auto& angle = (is_start ? leg.twist.from() : leg.twist.to()).exact;
     const auto known = exactly(reference.e2) && exactly(reference.e3) && exactly(reference.e1);
@@ -271,6 +265,25 @@ Frame<Real> PathTwist::frame(const Place& at, const Frame<Real>& reference) cons
             *z);
   }
   return turned(reference, remembered(reduced_value(at)));
+}
+
+std::vector<TwistFrame> twist_frames(const PathTwist& twist, const RationalTwistOptions& options,
+                                     const Subdivision& subdivision) {
+  if (twist.is_smooth())
+    throw DomainError(
+        "a rational frame is near one that turns evenly; that of a smooth twist is not known");
+  std::vector<TwistFrame> frames;
+  Stage stage("legs", twist.legs().size());
+  for (const PathTwist::Leg& leg : twist.legs()) {
+    Subdivision own = subdivision;
+    own.at.clear();
+    const Rational first(static_cast<long>(leg.first));
+    for (const Rational& t : subdivision.at)
+      if (t > first && t < Rational(static_cast<long>(leg.end()))) own.at.push_back(t - first);
+    frames.push_back(twist_frame(leg.twist, options, own));
+    stage.advance();
+  }
+  return frames;
 }
 
 }  // namespace phrame

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/frame_through.hpp"
-#include "phrame/ph/twist/minimal_twist.hpp"
+#include "phrame/ph/twist/twist_frame.hpp"
 
 namespace phrame {
 
@@ -37,7 +37,8 @@ class PathTwist {
   const PathAngle& rmf() const { return rmf_; }           ///< θ_RMF of the whole path
   const std::vector<Leg>& legs() const { return legs_; }  ///< at least one
   bool is_smooth() const { return slopes_ != nullptr; }   ///< is ω continuous?
-  const Leg& leg_at(const Place& at) const;               ///< the one of the segment
+  std::size_t leg_at(const Place& at) const;              ///< the number of the one of the segment
+  Place on_leg(const Place& at) const;                    ///< the same place on that
   bool is_joint(const Place& at) const;                   ///< is an orientation given there?
 
   /// @{ The angle of the frame to (e₂, e₃) there, where the orientation is given exact as that is;
@@ -64,7 +65,6 @@ class PathTwist {
  private:
   struct Slopes;  ///< ω at the joints of a smooth frame
   struct Bend;    ///< what ω is beyond T/S on a leg
-  std::size_t index_at(const Place& at) const;
   Bend bend_of(std::size_t k) const;
   Real share(const Leg& leg, const Place& at) const;
   Real beyond_even(const Place& at) const;
@@ -74,5 +74,11 @@ class PathTwist {
   std::vector<Integer> turns_before_;  ///< whole ones, that θ at the start of a leg lacks
   std::shared_ptr<const Slopes> slopes_;
 };
+
+/// Rational frames near one that turns evenly, a frame for each leg, with its orientations at both
+/// ends. Points of the subdivision are parameters of the whole path. Throws as twist_frame(), and
+/// DomainError for a smooth frame.
+std::vector<TwistFrame> twist_frames(const PathTwist& twist, const RationalTwistOptions& options,
+                                     const Subdivision& subdivision);
 
 }  // namespace phrame
