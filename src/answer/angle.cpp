@@ -30,7 +30,26 @@ void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery&
   }
 }
 
+std::variant<Rational, Decimal> shown_parameter(const Real& x, const std::string& name,
+                                                long digits) {
+  if (x.exact()) return *x.exact();
+  return rounded(x, name, digits);
+}
+
 }  // namespace
+
+AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
+                       const std::function<Decimal(const std::string& what)>& theta) {
+  const Real t = parameter(point.at);
+  const bool is_t = by == ParameterKind::t;
+  const Real& asked = point.value;
+  const std::string where =
+      (is_t ? "t = " : "the parameter asked for, ") +
+      (asked.exact() ? as_written(*asked.exact()) : to_string(asked.enclose(64), 9));
+  AngleValue found{shown_parameter(t, "t at " + where, digits), theta("theta at " + where)};
+  if (!is_t) found.asked = shown_parameter(asked, "the parameter asked for", digits);
+  return found;
+}
 
 AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
   PathAngle angle = angle_to(query.up, named.path, query.reference, query.form);
@@ -49,6 +68,7 @@ AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
                      .is_straight = !is_closed_form && is_straight(named.path),
                      .formulas = {},
                      .values = {},
+                     .by = query.by,
                      .digits = query.digits,
                      .total = {},
                      .holonomy = {},
@@ -59,8 +79,13 @@ AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
     answer.start_angle = decimal(start.value, "theta at t = 0");
   if (answer.reference == Reference::up) answer.up = angle.up();
   if (query.wants_formula) add_formulas(answer, angle, query);
-  for (const Rational& t : query.at)
-    answer.values.push_back({t, decimal(angle.value(t, start), "theta at t = " + as_written(t))});
+  for (const ParameterPoint& point :
+       Parametrization(named, query.by).points(query.at, query.samples)) {
+    const Real theta = angle.value(point.at, start);
+    answer.values.push_back(
+        angle_value(point, query.by, query.digits,
+                    [&](const std::string& what) { return decimal(theta, what); }));
+  }
   if (is_closed_form && goes_on(named.path)) return answer;
   answer.total = decimal(angle.value(named.path.end()), "the total angle");
   if (answer.reference == Reference::frenet) return answer;

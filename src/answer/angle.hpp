@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/other_form.hpp"
 #include "phrame/integrate/pole_table.hpp"
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/along/parametrization.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
@@ -14,7 +14,9 @@ struct AngleQuery {
   std::optional<Reference> reference = {};
   std::optional<Vector<Rational>> up = {};  ///< v, where θ is measured from the frame of v
   FrameStart start = Angle();               ///< θ(0), or where f₂ is at t = 0
-  std::vector<Rational> at = {};            ///< the t where θ is asked for
+  std::vector<Rational> at = {};            ///< where θ is asked for: values of t, or of
+  ParameterKind by = ParameterKind::t;      ///< this parameter
+  long samples = 0;                         ///< and so many, equally spaced; none or 2 and more
   long digits = 17;                         ///< of its values
   Route route = Route::automatic;           ///< the way to values
   bool wants_formula = true;                ///< is the formula of θ on each PH segment wanted?
@@ -37,9 +39,15 @@ struct AngleFormula {
 
 /// One row of a table of angles.
 struct AngleValue {
-  Rational t;     ///< the parameter
-  Decimal theta;  ///< radians, continuous branch
+  std::variant<Rational, Decimal> t;  ///< the parameter; rounded where it is no fraction
+  Decimal theta;                      ///< radians, continuous branch
+  /// What was asked for, where that is the value of another parameter.
+  std::optional<std::variant<Rational, Decimal>> asked = {};
 };
+
+/// θ there, which theta(what) rounds: "theta at t = 1/2".
+AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
+                       const std::function<Decimal(const std::string& what)>& theta);
 
 /// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {
@@ -53,7 +61,8 @@ struct AngleAnswer {
   bool is_straight;  ///< a line, where any frame that does not turn is the right one?
   /// For each segment, if formulas are wanted: a PH segment has one, others have none.
   std::vector<std::optional<AngleFormula>> formulas;
-  std::vector<AngleValue> values;  ///< at the t asked for, in their order
+  std::vector<AngleValue> values;  ///< where they are asked for, in that order
+  ParameterKind by;                ///< by this parameter
   long digits;                     ///< of the values
   std::optional<Decimal> total;    ///< θ(end) − θ(0); not of a single PH curve, which goes on
   /// Of a closed path, unless θ is measured from the Frenet frame.

@@ -400,6 +400,18 @@ void add_row(FrameTable& table, std::vector<double> row,
   table.rows.push_back(std::move(row));
 }
 
+void add_column(FrameTable& table, const std::string& name, const std::vector<Real>& numbers,
+                long digits) {
+  if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end()) return;
+  table.columns.push_back(name);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    TableRow cell{.digits = digits};
+    cell.add(numbers[k]);
+    table.rows[k].push_back(cell.values.front());
+    if (digits > 0) table.decimals[k].push_back(cell.decimals.front());
+  }
+}
+
 FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
                        const std::vector<Place>& at) {
   require_twists(columns);

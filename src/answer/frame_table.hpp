@@ -109,6 +109,10 @@ PHRAME_API FrameTable frame_table(const Curve& curve, const TableColumns& column
 PHRAME_API FrameTable frame_table(const Curve& curve, const std::vector<TabulatedFrame>& frames,
                                   const std::vector<Rational>& at);
 
+/// Appends these numbers, one a row, rounded as the others are; not where there is a column of this
+/// name.
+PHRAME_API void add_column(FrameTable& table, const std::string& name,
+                           const std::vector<Real>& numbers, long digits = 0);
 /// What the columns are called: "t", "x", "y", "z", "e1x", …
 PHRAME_API std::vector<std::string> names_of(const TableColumns& columns);
 

@@ -51,8 +51,14 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
   if (!is_to_erf) answer.up = angle.up();
   if (const auto& within = mtf.half_turn_within())
     answer.half_turn_within = upper_bound_text(*within);
-  for (const Rational& t : query.at)
-    answer.values.push_back({t, decimal(mtf.value(t), "theta at t = " + as_written(t))});
+  answer.by = query.by;
+  for (const ParameterPoint& point :
+       Parametrization(named, query.by).points(query.at, query.samples)) {
+    const Real theta = mtf.value(point.at);
+    answer.values.push_back(
+        angle_value(point, query.by, query.digits,
+                    [&](const std::string& what) { return decimal(theta, what); }));
+  }
   if (query.rational) add_rational(answer, mtf, *query.rational);
   return answer;
 }

@@ -14,7 +14,7 @@ struct MinimalTwistQuery {
   /// θ_f, or f₂ at the end. Without it the path is closed, and the frame ends as it starts.
   std::optional<FrameStart> to = LeastRotation();
   long extra_turns = 0;           ///< the number of revolutions beyond the least turn
-  std::vector<Rational> at = {};  ///< the t where θ is asked for
+  std::vector<Rational> at = {};  ///< where θ is asked for: values of t, or of `by`
   long digits = 17;               ///< of all numbers
   /// v, where angles are measured from the frame of v. Without it they are measured from the
   /// Euler–Rodrigues frame on PH paths, and on others from the frame of a v that is chosen.
@@ -28,6 +28,8 @@ struct MinimalTwistQuery {
   /// Without it only the exact frame is found. Only PH paths have a rational frame, and not with
   /// `up`.
   std::optional<RationalFrame> rational = {};
+  ParameterKind by = ParameterKind::t;  ///< what `at` are values of
+  long samples = 0;                     ///< and so many, equally spaced; none or 2 and more
 };
 
 /// The exact frame of minimal twist, and a rational one near to it.
@@ -43,7 +45,7 @@ struct MinimalTwistAnswer {
   Decimal nominal_twist;           ///< T
   Decimal twist;                   ///< T_min, with the extra turns
   Decimal rate;                    ///< the twist over S
-  std::vector<AngleValue> values;  ///< θ at the t asked for
+  std::vector<AngleValue> values;  ///< θ where it is asked for
   long digits;                     ///< of all numbers
   /// Where T_min is π, or cannot be told from it: an upper bound of the difference, "0" or
   /// "1.2e-76". A turn by −π is as short.
@@ -52,6 +54,7 @@ struct MinimalTwistAnswer {
   std::string why_not_rational = {};              ///< where there is none
   std::string why_undecided = {};                 ///< where none was found, or could be shown
   std::optional<Vector<Rational>> up = {};        ///< v, where angles are to the frame of it
+  ParameterKind by = ParameterKind::t;            ///< what the values were asked for by
 };
 
 /// Throws DomainError as minimal_twist(), and as twist_frame() where a rational frame is needed;

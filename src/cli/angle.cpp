@@ -63,11 +63,14 @@ void run(const Command& command, const AngleOptions& options) {
   require_closed_form(command, options, path);
   query.up = options.up.chosen(path);
   options.start.check(path, query.up, query.reference);
-  query.at = options.parameters.values(path.end());
+  options.parameters.on(named);  // where it throws
+  query.at = Parameters{options.parameters.at}.values();
+  query.samples = options.parameters.samples;
+  query.by = options.parameters.kind();
   if (path.segments().size() > 1 && print.as == Print::As::script)
     fail_for_spline("--print", options.form.print);
   const bool is_up = reference_of(path, query.up, query.reference) == Reference::up;
-  if (goes_on(path) && !is_up && query.at.empty())
+  if (goes_on(path) && !is_up && query.at.empty() && query.samples == 0)
     // Else the total angle is shown, at least.
     command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   options.form.length.write(options.curve.output, printed(answer(named, query), print));

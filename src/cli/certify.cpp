@@ -29,7 +29,7 @@ void add_certify(Program& program) {
   const auto options = std::make_shared<CertifyOptions>();
   options->curve.add_to(command);
   command.writes("a certificate in JSON", {"json"});
-  options->parameters.add_to(command);
+  options->parameters.add_values_to(command);
   add_digits(command, options->digits);
   add_reference(command, options->frame,
                 "what the angle is measured from: erf (default) or frenet");

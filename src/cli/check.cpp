@@ -57,16 +57,6 @@ bool lacks_parameters(const GivenTable& table, const Path& path) {
       table.frames, [&](const GivenFrame& frame) { return frame.t < 0 || frame.t > path.end(); });
 }
 
-const Names<std::optional<FrameParameter>>& parameter_names() {
-  static const Names<std::optional<FrameParameter>> names{
-      {"t", std::nullopt},  // or what fits
-      {"native", FrameParameter::native},
-      {"unit", FrameParameter::unit},
-      {"arc-length", FrameParameter::arc_length},
-      {"fraction", FrameParameter::fraction}};
-  return names;
-}
-
 /// Are they those of the curve at the t of the table? Then that t is right.
 bool has_places(const GivenTable& table, const Path& path) {
   if (!table.has_parameters || table.positions.size() != table.frames.size()) return false;
@@ -77,8 +67,8 @@ bool has_places(const GivenTable& table, const Path& path) {
 /// Other t for the frames than those of the table, with how they are found; no value where these
 /// are right, or no others.
 std::optional<FrameParameters> parameters_on(const NamedPath& named, const GivenTable& table,
-                                             const std::optional<FrameParameter>& by) {
-  if (by == FrameParameter::span) return std::nullopt;
+                                             const std::optional<ParameterKind>& by) {
+  if (by == ParameterKind::t) return std::nullopt;
   if (by) {
     FrameParameters found = parameters_by(*by, named, table.frames);
     found.what.clear();  // as was asked for
@@ -97,7 +87,7 @@ std::optional<FrameParameters> parameters_on(const NamedPath& named, const Given
 
 /// The frames, on the curve; `reading` gets their parameters where the table has others.
 GivenTable read_on(const NamedPath& named, const std::string& bytes, const std::string& file,
-                   const std::optional<FrameParameter>& by, FrameReading& reading,
+                   const std::optional<ParameterKind>& by, FrameReading& reading,
                    std::string& taken) {
   GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
   for (const std::string& text : table.notes) note_at_end(fmt::format("{}: {}", file, text));
@@ -137,11 +127,10 @@ void run(const Command& command, const CheckOptions& options) {
   options.start.check(named.path, measure.up);
   const std::string bytes = read_file(options.frames);
   const std::string file = name_of_file(options.frames);
-  auto by = choose<std::optional<FrameParameter>>("--by", options.by, parameter_names());
-  if (command.is_given("--by") && !by) by = FrameParameter::span;
+  std::optional<ParameterKind> by;
+  if (command.is_given("--by")) by = choose("--by", options.by, parameter_kinds());
   std::string taken;
-  if (by == FrameParameter::unit && named.path.segments().size() == 1)
-    throw InputError("--by", "\"unit\" is t itself along one segment");
+  if (by) require_parameter(named.path, *by);
   const GivenTable table = read_on(named, bytes, file, by, reading, taken);
   if (!table.has_quaternions && !table.has_matrices)
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
@@ -169,10 +158,7 @@ void add_check(Program& program) {
                        "a table of frames (text or .npy), \"-\" for standard input");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
-  command.add_choice("--by", options->by, keys(parameter_names()),
-                     "what t is: t (what is not given may be found out, which is said), native "
-                     "(the parameter of the curve's\n"
-                     "file), unit (0 to 1), arc-length or fraction (of it)");
+  add_by(command, options->by, "what t is in the table (default: found out, if it is not ours): t");
   options->start.add_to(command, StartOptions::Rule::least_rotation,
                         "the default is as the first sample");
   options->up.add_to(command,

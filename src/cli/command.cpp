@@ -311,7 +311,33 @@ NamedPath CurveOptions::read_near_or_any() const {
   return read;
 }
 
+void add_by(Command& command, std::string& by, const std::string& what) {
+  command.add_choice("--by", by, keys(parameter_kinds()),
+                     what +
+                         ", 0 to the number of segments;\n"
+                         "native: the parameter of the file, as knots, times and s of formulas\n"
+                         "are; unit: t over the number of segments; arc-length, or fraction of it");
+}
+
 void Parameters::add_to(Command& command) {
+  add_values_to(command);
+  add_by(command, by, "what --at and --samples are values of: t (default)");
+  command.only_with({"--by"}, {"--at", "--samples"});
+}
+
+void require_parameter(const Path& path, ParameterKind kind) {
+  if (kind == ParameterKind::unit && path.segments().size() == 1)
+    throw InputError("--by", "\"unit\" is t itself along one segment");
+}
+
+ParameterKind Parameters::kind() const { return choose("--by", by, parameter_kinds()); }
+
+Parametrization Parameters::on(const NamedPath& named) const {
+  require_parameter(named.path, kind());
+  return at_option("--by", [&] { return Parametrization(named, kind()); });
+}
+
+void Parameters::add_values_to(Command& command) {
   command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
   command.add_number("--samples", samples, {2, 10'000'000},
                      "N equally spaced values of t from start to end (N ≥ 2), after those of --at");

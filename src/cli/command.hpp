@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/cli/program.hpp"
 #include "phrame/io/read/any_path.hpp"
+#include "phrame/ph/along/parametrization.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
@@ -63,12 +64,24 @@ struct CurveOptions {
 /// straight line, where every frame that does not turn is right.
 std::string needs_ph(const Path& path);
 
-/// Where t is asked for: --at and --samples.
+/// --by, of which `what` tells up to its first name, t.
+void add_by(Command& command, std::string& by, const std::string& what);
+
+/// Throws InputError where it is t by another name.
+void require_parameter(const Path& path, ParameterKind kind);
+
+/// Where a path is asked: --at, --samples and --by.
 struct Parameters {
   std::vector<std::string> at;  ///< lists, separated by commas
   long samples = 0;
+  std::string by = "t";
 
   void add_to(Command& command);
+  /// All but --by.
+  void add_values_to(Command& command);
+  ParameterKind kind() const;
+  /// Throws InputError where it is by a parameter that the path does not have.
+  Parametrization on(const NamedPath& named) const;
   /// In the order given, then the N equally spaced ones on [0, end].
   std::vector<Rational> values(const Rational& end = 1) const;
 };

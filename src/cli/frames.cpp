@@ -23,7 +23,6 @@ struct FramesOptions {
   TwistOptions twist;
   std::vector<std::string> frames{"rmf"};
   std::vector<std::string> scalars;
-  std::string by = "t";
   std::string side = "right";
   long digits = 0;  ///< 0 for doubles
   std::string format = "csv";
@@ -39,70 +38,37 @@ const std::vector<std::string>& camera_formats() {
   return formats;
 }
 
-/// A table and what its rows were asked for by: t or arc lengths, those of --samples from 0.
+/// A table and what its rows were asked for by: t or values of another parameter.
 struct TabulatedFrames {
   FrameTable table;
   std::vector<Rational> numbers;
 };
 
-enum class By { parameter, native, arc_length };
 /// Which segment a corner belongs to.
 enum class Side { left, right, both };
 
-/// A frame of minimal twist ends with the curve.
-std::vector<Place> points(const std::vector<Rational>& numbers, const Path& path, bool ends) {
-  std::vector<Place> at;
-  for (const Rational& t : numbers)
-    at.emplace_back(ends ? locate_inside(path.segments().size(), t) : locate(path, t));
-  return at;
-}
-
-/// The greatest double of at most the length: samples are equally spaced up to there.
-Rational length_below(const Real& length) {
-  if (length.exact()) return *length.exact();
-  const Rational lower = length.enclose(192).lower();
-  const Rational unit = power_of_two(binary_exponent(lower) - 51);
-  return Rational(floor(lower / unit)) * unit;
-}
-
-/// The places and what they were asked for by, with the sides of corners that are asked for.
-void take_sides(std::vector<Place>& at, std::vector<Rational>& numbers, const Path& path,
-                Side side) {
-  if (side == Side::right) return;
+/// The points with the sides of corners that are asked for.
+std::vector<ParameterPoint> with_sides(const std::vector<ParameterPoint>& points, const Path& path,
+                                       Side side) {
+  if (side == Side::right) return points;
   if (path.corners().empty()) throw InputError("--side", "the path has no corner at a joint");
-  std::vector<Place> places;
-  std::vector<Rational> all;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const bool is_corner = at[k].t.exact() == Rational(0) && path.has_corner(at[k].segment);
-    if (is_corner) places.emplace_back(at[k].segment - 1, Rational(1));
-    if (!is_corner || side == Side::both) places.push_back(at[k]);
-    all.resize(places.size(), numbers[k]);
+  std::vector<ParameterPoint> found;
+  for (const ParameterPoint& point : points) {
+    const std::size_t k = point.at.segment;
+    const bool is_corner = point.at.t.exact() == Rational(0) && path.has_corner(k);
+    if (is_corner) found.push_back({point.value, Place(k - 1, Rational(1))});
+    if (!is_corner || side == Side::both) found.push_back(point);
   }
-  at = std::move(places);
-  numbers = std::move(all);
+  return found;
 }
 
-/// Those of --at, and of --samples from the first to the last value of the parameter of the file.
-std::vector<Rational> native_numbers(const Parameters& parameters, const NamedPath& named) {
-  const std::vector<Real>& joints = named.parameters;
-  if (parameters.samples == 0 || joints.empty()) return parameters.values();
-  if (!joints.front().exact() || !joints.back().exact())
-    throw InputError("--samples", "the parameter of the file ends at no fraction: --at is wanted");
-  const Rational from = *joints.front().exact();
-  const Rational length = *joints.back().exact() - from;
-  std::vector<Rational> numbers = Parameters{parameters.at, 0}.values();
-  for (const Rational& share : Parameters{{}, parameters.samples}.values())
-    numbers.push_back(from + length * share);
-  return numbers;
+/// A frame of minimal twist ends with the curve.
+void require_on(const Path& path, const Place& at) {
+  if (goes_on(path) && at.t.exact()) locate_inside(1, *at.t.exact());
 }
 
-/// Where the arc length from the start has the values asked for; at a joint the later segment.
-std::vector<Place> points_by_length(const std::vector<Rational>& numbers,
-                                    const PathLength& length) {
-  std::vector<Place> at;
-  for (const Rational& s : numbers) at.push_back(length.point(s));
-  return at;
-}
+/// A fraction that rounds as it does, but next to a tie.
+Rational approximated(const Real& x) { return x.exact() ? *x.exact() : x.enclose(192).midpoint(); }
 
 const Names<TabulatedFrame>& frame_names() {
   static const Names<TabulatedFrame> names{
@@ -191,40 +157,37 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
     throw InputError("--frame", "\"mtf\" " + needs_ph(angle.path()));
 }
 
-TabulatedFrames table_of(const NamedPath& named, TableColumns& columns, By by,
+TabulatedFrames table_of(const NamedPath& named, TableColumns& columns,
                          const FramesOptions& options, const PathAngle& angle) {
   const Path& path = named.path;
   require_frames(columns, angle);
   options.start.check(path, angle.reference());
   const bool has_twist = has_twist_frames(columns);
   if (has_twist) add_twist_frames(columns, options.twist, named, angle);
+  const std::vector<ParameterPoint> points = with_sides(
+      options.parameters.on(named).points(Parameters{options.parameters.at}.values(),
+                                          options.parameters.samples),
+      path,
+      choose<Side>("--side", options.side,
+                   {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
   std::vector<Rational> numbers;
   std::vector<Place> at;
-  if (by == By::parameter) {
-    numbers = options.parameters.values(path.end());
-    at = points(numbers, path, has_twist);
-  } else if (by == By::native) {
-    if (named.parameters.empty())
-      throw InputError("--by", "native: the file of the curve has no parameter but t");
-    numbers = native_numbers(options.parameters, named);
-    for (const Rational& x : numbers) at.push_back(native_place(named, x));
-  } else {
-    const PathLength length(path);
-    numbers = options.parameters.values(length_below(length.total()));
-    at = points_by_length(numbers, length);
+  std::vector<Real> values;
+  for (const ParameterPoint& point : points) {
+    if (has_twist) require_on(path, point.at);
+    values.push_back(point.value);
+    numbers.push_back(approximated(point.value));
+    at.push_back(point.at);
   }
-  take_sides(at, numbers, path,
-             choose<Side>("--side", options.side,
-                          {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
   FrameTable made = table(columns, [&] { return frame_table(angle, columns, at); });
   made.near = named.near;
+  if (const ParameterKind by = options.parameters.kind(); by != ParameterKind::t)
+    add_column(made, column_of(by), values, columns.digits);
   return {std::move(made), std::move(numbers)};
 }
 
 TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
-  const By by =
-      choose<By>("--by", options.by,
-                 {{"t", By::parameter}, {"native", By::native}, {"arc-length", By::arc_length}});
+  options.parameters.kind();  // where it throws
   chosen.start = options.start.start();
   chosen.roll = options.roll.chosen(options.curve.path, options.curve.reading);
   if (options.roll.is_given() && std::ranges::any_of(chosen.scalars, [](TabulatedScalar scalar) {
@@ -242,7 +205,7 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   if (options.up.vector && !is_to_up && has_frame(chosen, TabulatedFrame::mtf))
     throw InputError("--up", "mtf and mtf-exact are at angles to the Euler-Rodrigues frame here");
   const auto up = options.up.chosen(named.path, is_to_up);
-  return table_of(named, chosen, by, options, angle_to(up, named.path));
+  return table_of(named, chosen, options, angle_to(up, named.path));
 }
 
 void run_camera(const FramesOptions& options) {
@@ -304,9 +267,6 @@ void add_frames(Program& program) {
       "(4 x 4, by rows)");
   command.add_number("--digits", options->digits, {1, 100'000},
                      "decimals with N digits, correctly rounded, instead of doubles");
-  command.add_choice("--by", options->by, {"t", "native", "arc-length"},
-                     "what --at and --samples mean: t (default), native: the parameter of the\n"
-                     "file, as knots, times and s of formulas are, or arc-length from t = 0");
   command.add_choice("--side", options->side, {"right", "left", "both"},
                      "right (default), left or both: the frame behind a corner, where the tangent\n"
                      "breaks at a joint, that before it, or a row for each");

@@ -48,9 +48,12 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   MinimalTwistQuery query{from,
                           to,
                           options.twist.turns,
-                          options.parameters.values(path.end()),
+                          Parameters{options.parameters.at}.values(),
                           options.digits,
                           options.up.chosen(path)};
+  options.parameters.on(named);  // where it throws
+  query.by = options.parameters.kind();
+  query.samples = options.parameters.samples;
   if (path.is_ph() && !query.up) {
     if (!options.is_exact_only)
       query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(path),

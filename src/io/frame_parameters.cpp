@@ -5,7 +5,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -73,43 +72,20 @@ Rational rational_parameter(const Place& at) {
   return t.exact() ? *t.exact() : t.enclose(parameter_bits + 16).midpoint();
 }
 
-std::string what_of(FrameParameter kind) {
+std::string what_of(ParameterKind kind) {
   switch (kind) {
-    case FrameParameter::span:
+    case ParameterKind::t:
       return "t";
-    case FrameParameter::native:
+    case ParameterKind::native:
       return "the parameter of the file of the curve";
-    case FrameParameter::unit:
+    case ParameterKind::unit:
       return "t over the number of segments, from 0 to 1";
-    case FrameParameter::arc_length:
+    case ParameterKind::arc_length:
       return "the arc length";
-    case FrameParameter::fraction:
+    case ParameterKind::fraction:
       break;
   }
   return "the share of the arc length, from 0 to 1";
-}
-
-/// How a number is a t, for many of them.
-std::function<Rational(const Rational&)> conversion(FrameParameter kind, const NamedPath& named) {
-  const Path& path = named.path;
-  if (kind == FrameParameter::span) return [](const Rational& x) { return x; };
-  if (kind == FrameParameter::unit)
-    return [end = path.end()](const Rational& x) {
-      if (x < 0 || x > 1) throw DomainError("it is not between 0 and 1");
-      return Rational(x * end);
-    };
-  if (kind == FrameParameter::native)
-    return [named](const Rational& x) { return rational_parameter(native_place(named, x)); };
-  const PathLength length(path);
-  if (kind == FrameParameter::arc_length)
-    return [length](const Rational& x) { return rational_parameter(length.point(x)); };
-  const Real total = length.total();
-  const Rational whole =
-      total.exact() ? *total.exact() : total.enclose(parameter_bits + 32).midpoint();
-  return [length, whole, end = path.end()](const Rational& x) {
-    if (x < 0 || x > 1) throw DomainError("it is not between 0 and 1");
-    return x == 1 ? end : rational_parameter(length.point(x * whole));
-  };
 }
 
 Vector<double> unit(const Vector<double>& v) {
@@ -187,7 +163,7 @@ std::vector<GivenFrame> some_of(const std::vector<GivenFrame>& frames) {
 }
 
 /// No value where some frame is outside of the path.
-std::optional<FrameParameters> try_parameters(FrameParameter kind, const NamedPath& named,
+std::optional<FrameParameters> try_parameters(ParameterKind kind, const NamedPath& named,
                                               const std::vector<GivenFrame>& frames) {
   try {
     return parameters_by(kind, named, frames);
@@ -221,15 +197,13 @@ std::optional<FrameParameters> moved_to_tangents(const Path& path,
 
 }  // namespace
 
-FrameParameters parameters_by(FrameParameter kind, const NamedPath& named,
+FrameParameters parameters_by(ParameterKind kind, const NamedPath& named,
                               const std::vector<GivenFrame>& frames) {
-  const auto convert = conversion(kind, named);
+  const Parametrization by(named, kind);
   FrameParameters found{{}, what_of(kind)};
   found.t.reserve(frames.size());
-  for (const GivenFrame& frame : frames) {
-    found.t.push_back(convert(frame.t));
-    locate(named.path, found.t.back());  // where it throws
-  }
+  for (const GivenFrame& frame : frames)
+    found.t.push_back(rational_parameter(by.point(frame.t).at));
   return found;
 }
 
@@ -239,19 +213,18 @@ std::optional<FrameParameters> better_parameters(const NamedPath& named,
   if (frames.size() > most_frames) return std::nullopt;
   const Path& path = named.path;
   const std::vector<GivenFrame> few = some_of(frames);
-  const auto as_they_are = try_parameters(FrameParameter::span, named, few);
+  const auto as_they_are = try_parameters(ParameterKind::t, named, few);
   const double off_now = as_they_are ? greatest_off(path, few, as_they_are->t) : HUGE_VAL;
   if (off_now <= is_tangent) return std::nullopt;
   std::vector<FrameParameters> near;
-  for (const FrameParameter kind : {FrameParameter::native, FrameParameter::unit,
-                                    FrameParameter::fraction, FrameParameter::arc_length}) {
-    if (kind == FrameParameter::unit && path.segments().size() == 1) continue;  // t itself
+  for (const ParameterKind kind : {ParameterKind::native, ParameterKind::unit,
+                                   ParameterKind::fraction, ParameterKind::arc_length}) {
+    if (kind == ParameterKind::unit && path.segments().size() == 1) continue;  // t itself
     auto found = try_parameters(kind, named, frames);
     if (!found) continue;
     const double off = greatest_off(path, frames, found->t);
     if (off <= is_tangent) return found;
-    const bool is_by_length =
-        kind == FrameParameter::fraction || kind == FrameParameter::arc_length;
+    const bool is_by_length = kind == ParameterKind::fraction || kind == ParameterKind::arc_length;
     if (is_by_length && off <= is_near_tangent) near.push_back(*std::move(found));
   }
   if (off_now <= is_near_tangent) return std::nullopt;  // tangents a little off are a fault

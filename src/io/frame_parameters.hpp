@@ -1,17 +1,8 @@
 #pragma once
-#include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/along/parametrization.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
 namespace phrame {
-
-/// What the t of a table of frames may be.
-enum class FrameParameter {
-  span,        ///< our t, 0 to the number of segments
-  native,      ///< the parameter of the file of the path
-  unit,        ///< 0 to 1 from start to end, each segment as long as any other
-  arc_length,  ///< the arc length from the start
-  fraction,    ///< of the whole length, 0 to 1
-};
 
 /// Where on a path frames are, by something else than its t.
 struct FrameParameters {
@@ -27,7 +18,7 @@ FrameParameters frame_parameters(const Path& path, const std::vector<GivenPositi
 
 /// The t of frames whose parameter is meant like that; a t that is irrational to within 2^−160.
 /// Throws DomainError for what is outside of the path, and where its file has no parameter.
-FrameParameters parameters_by(FrameParameter kind, const NamedPath& named,
+FrameParameters parameters_by(ParameterKind kind, const NamedPath& named,
                               const std::vector<GivenFrame>& frames);
 
 /// Where the frames, at their t, are not the path's, by their tangents, f₂ × f₃ or f₂ alone, and

@@ -73,16 +73,47 @@ TEST_CASE("frames: --columns: quaternions and matrices") {
   CHECK(here.run("check quintic.json frames.csv").status == 0);
 }
 
+// s goes from 0 to π/4: s = 1/2 is t = 2/π, and x = cos(1/2).
+TEST_CASE("--by native: t of angle, mtf and frames is the parameter of the file") {
+  const Workshop here;
+  const std::string arc =
+      R"json({"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "0.3*s"}, )json"
+      R"("from": 0, "to": "pi/4"})";
+  here.write("arc.json", arc);
+  const Run angle = here.run("angle arc.json --by native --at 0.5 --print json --values-only");
+  check_success(angle);
+  CHECK(contains(angle.out, "\"by\": \"native\""));
+  CHECK(contains(angle.out, "\"native\": \"1/2\""));
+  CHECK(contains(angle.out, "\"value\": \"0.63661977236758134\""));
+  CHECK(contains(here.run("mtf arc.json --exact-only --by native --at 0.5").out,
+                 "1/2      0.63661977236758134"));
+  const Run frames = here.run("frames arc.json --by native --at 0.5");
+  CHECK(line(frames.out, 0).ends_with(",f3z,native"));
+  CHECK(line(frames.out, 1).starts_with("0.6366197723675814,0.8775825618903728,"));
+  CHECK(line(frames.out, 1).ends_with(",0.5"));
+  check_failure(here.run("angle arc.json --by native --at 1"), 3,
+                "1 is outside [0, 0.785398163], what the parameter of the file goes through");
+  check_failure(here.run("angle arc.json --by unit --at 1"), 2,
+                "--by: \"unit\" is t itself along one segment");
+  add_curves(here);
+  check_failure(here.run("angle quintic.json --by native --at 1"), 2,
+                "--by: the file of the path has no parameter of its own but t");
+  // A batch has the same key.
+  here.write("lines.jsonl",
+             R"({"id": 1, "by": "native", "at": "1/2", "digits": 5, "curve": )" + arc + "}\n");
+  CHECK(contains(here.run("batch lines.jsonl").out, "0.63662"));
+}
+
 TEST_CASE("frames: arc lengths and columns that make no sense are refused by name") {
   const Workshop here;
   add_curves(here);
-  check_failure(here.run("frames quintic.json --by arc-length"), 2, "--samples N or --at");
+  check_failure(here.run("frames quintic.json --by arc-length"), 2,
+                "--by: needs --at or --samples");
   check_failure(here.run("frames quintic.json --by length --at 0"), 2,
-                "--by: \"length\" is not one of t, native, arc-length");
-  check_failure(
-      here.run("frames quintic.json --at 0 --columns speed"), 2,
-      "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
-      "omega, quaternion, matrix");
+                "--by: \"length\" is not one of t, native, unit, arc-length, fraction");
+  check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,
+                "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
+                "omega, quaternion, matrix");
   check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,

@@ -271,7 +271,7 @@ JsonOutput json_of(const AngleAnswer& answer) {
     json["holonomy"] = answer.holonomy ? phrame::json_of(*answer.holonomy) : JsonOutput();
   }
   if (!answer.no_holonomy.empty()) json["holonomy_reason"] = "undecided: " + answer.no_holonomy;
-  json["values"] = phrame::json_of(answer.values);
+  add_values(json, answer.values, answer.by);
   return json;
 }
 
@@ -299,7 +299,7 @@ std::string to_text(const AngleAnswer& answer) {
     text += ph->is_curve() ? curve_text(answer, ph->segments().front()) : spline_text(answer, *ph);
   else
     text += general_text(answer);
-  return answer.values.empty() ? text : text + value_table(answer.values, answer.digits);
+  return answer.values.empty() ? text : text + value_table(answer.values, answer.digits, answer.by);
 }
 
 std::string to_latex(const AngleAnswer& answer) {
@@ -320,7 +320,7 @@ std::string to_latex(const AngleAnswer& answer) {
   if (!is_ph || exact == nullptr || !(*exact == FrameAngle()))
     text += fmt::format(" \\\\\n\\theta(0) &= {}", latex_start(answer));
   text += "\n\\end{align*}\n";
-  return answer.values.empty() ? text : text + latex_value_table(answer.values);
+  return answer.values.empty() ? text : text + latex_value_table(answer.values, answer.by);
 }
 
 std::string to_json(const AngleAnswer& answer) { return pretty(json_of(answer)); }

@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
@@ -171,11 +172,22 @@ JsonOutput json_if_known(const std::optional<bool>& x) { return x ? JsonOutput(*
 
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
 
-JsonOutput json_of(const std::vector<AngleValue>& values) {
+void add_values(JsonOutput& json, const std::vector<AngleValue>& values, ParameterKind by) {
+  const auto json_of_number = [](const std::variant<Rational, Decimal>& x) {
+    if (const auto* exact = std::get_if<Rational>(&x)) return JsonOutput(to_string(*exact));
+    return json_of(std::get<Decimal>(x));
+  };
   JsonOutput list = JsonOutput::array();
-  for (const auto& [t, theta] : values)
-    list.push_back({{"t", to_string(t)}, {"theta", theta.value}, {"radius", theta.radius}});
-  return list;
+  for (const AngleValue& value : values) {
+    JsonOutput row = JsonOutput::object();
+    if (value.asked) row[column_of(by)] = json_of_number(*value.asked);
+    row["t"] = json_of_number(value.t);
+    row["theta"] = value.theta.value;
+    row["radius"] = value.theta.radius;
+    list.push_back(std::move(row));
+  }
+  if (by != ParameterKind::t) json["by"] = name_of(by);
+  json["values"] = std::move(list);
 }
 
 JsonOutput json_of(const Real& x, const Decimal& rounded) {

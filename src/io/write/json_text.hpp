@@ -39,8 +39,9 @@ JsonOutput json_of(const RadicalForm& F);
 JsonOutput json_of(const PathEnd& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
-/// [{"t": "…", "theta": "…", "radius": "…"}, …].
-JsonOutput json_of(const std::vector<AngleValue>& values);
+/// "values": [{"t": "…", "theta": "…", "radius": "…"}, …]; where they were asked for by another
+/// parameter "by": "native" before it, and the value of that in each: {"native": "…", "t": …}.
+void add_values(JsonOutput& json, const std::vector<AngleValue>& values, ParameterKind by);
 /// The exact text, or the decimal x was rounded to.
 JsonOutput json_of(const Real& x, const Decimal& rounded);
 /// As a PathEnd; a text where it is rational.

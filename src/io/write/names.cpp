@@ -59,4 +59,19 @@ const Names<OffsetJoin>& offset_joins() {
 
 const std::string& name_of(OffsetJoin join) { return name_in(offset_joins(), join); }
 
+const Names<ParameterKind>& parameter_kinds() {
+  static const Names<ParameterKind> names{{"t", ParameterKind::t},
+                                          {"native", ParameterKind::native},
+                                          {"unit", ParameterKind::unit},
+                                          {"arc-length", ParameterKind::arc_length},
+                                          {"fraction", ParameterKind::fraction}};
+  return names;
+}
+
+const std::string& name_of(ParameterKind kind) { return name_in(parameter_kinds(), kind); }
+
+std::string column_of(ParameterKind kind) {
+  return kind == ParameterKind::arc_length ? "s" : name_of(kind);
+}
+
 }  // namespace phrame

@@ -26,6 +26,12 @@ std::string definition(const MinimalTwistAnswer& answer, Notation notation) {
       frame, answer.up ? "∫₀ᵗ e₂′·e₃" : "2∫₀ᵗ h/σ");
 }
 
+JsonOutput exact_json(const MinimalTwistAnswer& answer) {
+  JsonOutput json = JsonOutput::object();
+  add_values(json, answer.values, answer.by);
+  return json;
+}
+
 Fields fields(const MinimalTwistAnswer& answer) {
   const auto length = [&answer](Notation notation) {
     const auto exact = answer.length.exact();
@@ -54,7 +60,7 @@ Fields fields(const MinimalTwistAnswer& answer) {
            {"minimal", "twist $T$", compared_value(answer.twist)}}),
       out_of_json(length_field),
       {"mean_rate", "rate $T/S$ about $e₁$", compared_value(answer.rate)},
-      json_field("exact", {{"values", json_of(answer.values)}})};
+      json_field("exact", exact_json(answer))};
 }
 
 std::string first_line(const MinimalTwistAnswer& answer) { return heading(answer.path); }
@@ -106,7 +112,7 @@ std::string to_text(const MinimalTwistAnswer& answer) {
       first_line(answer) + "\n\n" + prose(definition(answer, Notation::unicode), Notation::unicode);
   text += prose(on_ends(answer), Notation::unicode) + notes(answer, Notation::unicode);
   text += to_rows(fields(answer), 31);
-  if (!answer.values.empty()) text += value_table(answer.values, answer.digits);
+  if (!answer.values.empty()) text += value_table(answer.values, answer.digits, answer.by);
   text += prose(on_half_turn(answer), Notation::unicode);
   if (answer.rational) text += to_text(*answer.rational);
   return text + prose(reason(answer), Notation::unicode);
@@ -117,7 +123,7 @@ std::string to_latex(const MinimalTwistAnswer& answer) {
   std::string text = prose(definition(answer, latex) + on_ends(answer), latex);
   text += notes(answer, latex);
   text += to_align(fields(answer));
-  if (!answer.values.empty()) text += latex_value_table(answer.values);
+  if (!answer.values.empty()) text += latex_value_table(answer.values, answer.by);
   text += prose(on_half_turn(answer), latex);
   if (answer.rational) text += to_latex(*answer.rational);
   return text + prose(reason(answer), latex);

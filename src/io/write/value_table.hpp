@@ -6,9 +6,10 @@
 
 namespace phrame {
 
-/// "t  θ(t)", a line each; long t are passages.
-std::string value_table(const std::vector<AngleValue>& values, long digits);
+/// "t  θ(t)", a line each, behind the parameter that was asked by, where that is another; long t
+/// are passages.
+std::string value_table(const std::vector<AngleValue>& values, long digits, ParameterKind by);
 /// The same for LaTeX.
-std::string latex_value_table(const std::vector<AngleValue>& values);
+std::string latex_value_table(const std::vector<AngleValue>& values, ParameterKind by);
 
 }  // namespace phrame

@@ -85,7 +85,11 @@ Place native_place(const NamedPath& named, const Rational& x) {
   if (joints.empty()) throw DomainError("the file of the path has no parameter of its own but t");
   const int sense = sign_of(joints[1] + -joints[0]);
   const auto is_before = [&](const Real& joint) { return sense * sign_of(Real(x) + -joint) < 0; };
-  if (is_before(joints.front()) || sense * sign_of(Real(x) + -joints.back()) > 0)
+  const bool is_too_early = is_before(joints.front());
+  if (is_too_early && is_rounded(x, joints.front())) return {0, Rational(0)};
+  const bool is_too_late = sense * sign_of(Real(x) + -joints.back()) > 0;
+  if (is_too_late && is_rounded(x, joints.back())) return end_of(named.path);
+  if (is_too_early || is_too_late)
     throw DomainError(fmt::format("{} is outside {}, what the parameter of the file goes through",
                                   as_written(x), range_text(joints.front(), joints.back())));
   const auto behind = std::partition_point(joints.begin() + 1, joints.end() - 1,

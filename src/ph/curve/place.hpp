@@ -27,8 +27,9 @@ struct PHRAME_API Place {
       : Place(at.segment, at.t) {}
 };
 
-/// Where the parameter that the file of the path has is x. Throws DomainError where it has none,
-/// and for an x outside of what it goes through.
+/// Where the parameter that the file of the path has is x; an end of it for an x beyond that which
+/// rounds to the same double. Throws DomainError where it has none, and for another x outside of
+/// what it goes through.
 PHRAME_API Place native_place(const NamedPath& named, const Rational& x);
 
 /// The last point of the path.
