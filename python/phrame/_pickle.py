@@ -13,9 +13,9 @@ def rebuild(name: str, *arguments: Any) -> Any:
     return getattr(_phrame, name)(*arguments)
 
 
-def component(thing: Any, method: str, at: Any, k: int) -> Any:
+def component(thing: Any, method: str, at: Any, k: int, *more: Any) -> Any:
     """One number of a vector that a method answers."""
-    return getattr(thing, method)(at)[k]
+    return getattr(thing, method)(at, *more)[k]
 
 
 def element(thing: Any, attribute: str, k: int) -> Any:

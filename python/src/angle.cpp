@@ -74,14 +74,24 @@ const RmfAngle& angle_along(const AngleObject& self, const char* asked, nb::hand
       static_cast<std::size_t>(count(segment, "segment", 0, static_cast<long>(n) - 1)));
 }
 
-nb::object angle_of_what(const AngleObject& self, nb::handle ts, nb::handle progress) {
+nb::object angle_of_what(const AngleObject& self, nb::handle ts, const Text<"by">& by,
+                         nb::handle progress) {
+  const ParameterKind kind = parameter_kind(by);
   if (!is_list(ts)) {
     const Rational t = rational(ts, "ts");
+    if (kind != ParameterKind::t) {
+      const Place at = place_of(self.path, t, kind, "ts");
+      return nb::float_(at_place("ts", [&] {
+        return without_gil([angle = self.angle, start = self.at_zero, at] {
+          return round_to_double(angle.value(at, start));
+        });
+      }));
+    }
     return nb::float_(at_place("ts", [&] {
       return without_gil([value = value_of(self), t] { return round_to_double(value(t)); });
     }));
   }
-  return angles(self.angle, self.at_zero, ts, progress);
+  return angles(self.path.named, self.angle, self.at_zero, ts, kind, progress);
 }
 
 nb::object up_of(const AngleObject& self) {
@@ -146,15 +156,16 @@ void bind_angle(nb::module_& m, PathClass& path) {
              "θ(t): a Fraction where it is rational, else a Real; with `digits` a Decimal "
              "with so many.",
              [](const AngleObject& self) { return value_of(self); });
-  type.def("__call__", angle_of_what, argument("ts"), nb::kw_only(),
+  type.def("__call__", angle_of_what, argument("ts"), nb::kw_only(), argument("by") = "t",
            argument("progress") = nb::none(),
            nb::sig("@typing.overload\ndef __call__(self, ts: float | fractions.Fraction | "
-                   "decimal.Decimal, *, progress: "
+                   "decimal.Decimal, *, by: str = 't', progress: "
                    "collections.abc.Callable[[int, int], object] | None = None) -> float: ...\n"
-                   "@typing.overload\ndef __call__(self, ts: Numbers, *, progress: "
+                   "@typing.overload\ndef __call__(self, ts: Numbers, *, by: str = 't', progress: "
                    "collections.abc.Callable[[int, int], object] | None = None) -> "
                    "numpy.typing.NDArray[numpy.float64]"),
-           "θ as correctly rounded doubles: of one parameter, or an array of many.")
+           "θ as correctly rounded doubles: of one parameter, or an array of many; `by` says what "
+           "they are: t, native, unit, arc-length or fraction.")
       .def_prop_ro(
           "path", [](const AngleObject& self) { return nb::cast(self.path); },
           nb::sig("def path(self) -> Path"), "Along which it is.")

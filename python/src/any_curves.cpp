@@ -13,12 +13,12 @@ nb::object made_of(const std::string& name, const std::vector<GivenSegment>& seg
   }
 }
 
-/// The same of Bézier curves, perhaps with weights.
-nb::object path_of_beziers(const std::string& name, const std::vector<RationalBezier>& pieces,
+/// The same of Bézier curves, perhaps with weights, between values of the parameter.
+nb::object path_of_beziers(const std::string& name, const std::vector<BezierPiece>& pieces,
                            const char* place, nb::handle value) {
   std::vector<GivenSegment> segments;
   try {
-    for (const RationalBezier& piece : pieces) segments.push_back(bezier_segment(piece, place));
+    for (const BezierPiece& piece : pieces) segments.push_back(span_segment(piece, place));
   } catch (const InputError& error) {
     refuse(place, error.reason(), value);
   }
@@ -41,7 +41,18 @@ std::vector<Rational> weights_of(nb::handle weights, std::size_t points) {
 nb::object bezier(nb::handle points, nb::handle weights, const Text<"name">& name) {
   RationalBezier curve{vectors(points, "points", 2)};
   curve.weights = weights_of(weights, curve.points.size());
-  return path_of_beziers(name, {curve}, "points", points);
+  return path_of_beziers(name, {{curve, 0, 1}}, "points", points);
+}
+
+nb::object polyline(nb::handle points, Flag<"closed"> closed, const Text<"name">& name) {
+  std::vector<Vector<Rational>> corners = vectors(points, "points", 2);
+  if (closed && corners.front() != corners.back()) corners.push_back(corners.front());
+  std::vector<BezierPiece> pieces;
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    pieces.push_back({{{corners[k], corners[k + 1]}},
+                      Rational(static_cast<long>(k)),
+                      Rational(static_cast<long>(k + 1))});
+  return path_of_beziers(name, pieces, "points", points);
 }
 
 /// Knots of which the first and the last count p + 1 times, and the others are 1, 2, ….
@@ -80,10 +91,8 @@ nb::object nurbs(nb::handle points, nb::handle weights, nb::handle knots, nb::ha
     if (fault->member == Member::weights) refuse_in("weights", weights);
     refuse_in("knots", knots);
   }
-  std::vector<RationalBezier> pieces;
-  for (auto& piece : without_gil([spline] { return bezier_pieces(spline); }))
-    pieces.push_back(std::move(piece.curve));
-  return path_of_beziers(name, pieces, "points", points);
+  return path_of_beziers(name, without_gil([spline] { return bezier_pieces(spline); }), "points",
+                         points);
 }
 
 nb::object polynomial_curve(nb::handle x, nb::handle y, nb::handle z, nb::handle w,
@@ -191,13 +200,14 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
     data.start_derivative = vector(start_derivative, "start_derivative");
     data.end_derivative = vector(end_derivative, "end_derivative");
   }
-  std::vector<RationalBezier> pieces;
+  std::vector<BezierPiece> pieces;
   try {
     pieces = without_gil([data] {
       const auto derivatives = cubic_derivatives(data).values;
-      std::vector<RationalBezier> all;
+      std::vector<BezierPiece> all;
       for (std::size_t k = 0; k + 1 < data.points.size(); ++k)
-        all.push_back({cubic_piece(data, derivatives, k)});
+        all.push_back(
+            {{cubic_piece(data, derivatives, k)}, data.parameters[k], data.parameters[k + 1]});
       return all;
     });
   } catch (const DomainError& error) {
@@ -216,6 +226,11 @@ void bind_any_curves(PathClass& path) {
                           "str = '') -> Path"),
                   "The Bézier curve of these control points, rational where there are weights; "
                   "known to be PH where it is.")
+      .def_static("polyline", polyline, argument("points"), nb::kw_only(),
+                  argument("closed") = false, argument("name") = "",
+                  nb::sig("def polyline(points: Vectors, *, closed: bool = False, name: str = '') "
+                          "-> Path"),
+                  "The lines from point to point, and back to the first where it is closed.")
       .def_static(
           "nurbs", nurbs, argument("points"), argument("weights") = nb::none(),
           argument("knots") = nb::none(), argument("degree") = 3, nb::kw_only(),

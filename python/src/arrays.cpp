@@ -19,10 +19,6 @@ FrameKind frame_kind(const std::string& name, const PathObject& self) {
   return kind;
 }
 
-bool is_by_arc_length(const std::string& by) {
-  return chosen<bool>(by, "by", {{"parameter", false}, {"arc_length", true}});
-}
-
 /// What is asked of a path at many places.
 struct ArrayQuery {
   nb::handle ts;
@@ -30,7 +26,7 @@ struct ArrayQuery {
   nb::handle start_normal;
   nb::handle up;
   FrameKind kind;
-  bool is_by_length;
+  ParameterKind by;
   nb::handle progress;
   std::size_t width;  ///< so many numbers for each place
 };
@@ -69,6 +65,11 @@ void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
   }
 }
 
+/// Is t a linear function of it, between joints?
+bool is_linear(ParameterKind by) {
+  return by == ParameterKind::native || by == ParameterKind::unit;
+}
+
 /// The numbers that write(place, out) writes for each place, by this source.
 template <class Source, class Write>
 Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const ArrayQuery& asked,
@@ -82,10 +83,10 @@ Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const Arr
       });
 }
 
-/// The same along PH curves at the places where the arc length from the start is s.
+/// The same along PH curves where these are not the t of places.
 template <class Write>
-Numbers by_arc_length(const PathObject& self, const FrameStart& start, const At& at,
-                      const ArrayQuery& asked, const Write& write) {
+Numbers by_places(const PathObject& self, const FrameStart& start, const At& at,
+                  const ArrayQuery& asked, const Write& write) {
   TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
   columns.start = start;
   columns.have_quaternions = asked.width == 4;
@@ -93,13 +94,13 @@ Numbers by_arc_length(const PathObject& self, const FrameStart& start, const At&
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [=, angle = PathAngle(self.named.path), width = asked.width](std::size_t from,
-                                                                        std::size_t to) {
-             const PathLength length(angle.path());
+           [=, named = self.named, angle = PathAngle(self.named.path), by = asked.by,
+            width = asked.width](std::size_t from, std::size_t to) {
+             const Parametrization along(named, by);
              std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
-                                         [&] { return length.point((*at)[k]); }));
+                                         [&] { return along.point((*at)[k]).at; }));
              const FrameTable table = frame_table(angle, columns, points);
              for (std::size_t k = from; k < to; ++k)
                write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);
@@ -115,7 +116,7 @@ Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& a
   const PhPath& path = self.ph->path;
   const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
                                       self.named.path, Reference::euler_rodrigues);
-  if (asked.is_by_length) return by_arc_length(self, from, at, asked, write);
+  if (asked.by != ParameterKind::t) return by_places(self, from, at, asked, write);
   if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
   const bool has_start = asked.kind == TabulatedFrame::rmf;
   const auto source = self.sources->closed.of({asked.kind, has_start ? from : FrameStart()}, [&] {
@@ -130,8 +131,9 @@ template <class Write>
 Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
                         const Write& write) {
   const Path& path = self.named.path;
-  if (!asked.is_by_length) require_inside(*at, path.end(), asked.ts);
-  GeneralFrames frames{asked.kind, {}, {}, asked.is_by_length};
+  const bool is_by_t = asked.by == ParameterKind::t;
+  if (is_by_t) require_inside(*at, path.end(), asked.ts);
+  GeneralFrames frames{asked.kind, {}, {}, asked.by};
   if (asked.kind)
     frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
   if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
@@ -144,16 +146,22 @@ Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& 
                                       path, Reference::up),
                           *angle);
     }
-    return std::make_shared<GeneralSource>(path, angle, asked.kind, start, asked.is_by_length);
+    return std::make_shared<GeneralSource>(parametrization(self.named, asked.by), angle, asked.kind,
+                                           start);
   });
-  return by_source(source, at, asked, at->are_doubles() && !asked.is_by_length ? many : 4, write);
+  return by_source(source, at, asked, at->are_doubles() && is_by_t ? many : 4, write);
 }
 
 /// An array of these numbers for each place.
 template <class Write>
-nb::object array_of(const PathObject& self, const ArrayQuery& asked,
-                    const std::vector<std::size_t>& shape, const Write& write) {
+nb::object array_of(const PathObject& self, ArrayQuery asked, const std::vector<std::size_t>& shape,
+                    const Write& write) {
   const auto at = std::make_shared<Parameters>(parameters(asked.ts, "ts"));
+  if (is_linear(asked.by))
+    if (auto t = by_t(parametrization(self.named, asked.by), *at, "ts")) {
+      *at = *std::move(t);
+      asked.by = ParameterKind::t;
+    }
   const bool is_erf = asked.kind == TabulatedFrame::euler_rodrigues;
   if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
   const bool is_general =
@@ -161,7 +169,7 @@ nb::object array_of(const PathObject& self, const ArrayQuery& asked,
   const Numbers numbers =
       is_general ? general_numbers(self, at, asked, write) : closed_numbers(self, at, asked, write);
   if (asked.width == 4 &&
-      (is_general || asked.is_by_length || asked.kind == TabulatedFrame::frenet))
+      (is_general || asked.by != ParameterKind::t || asked.kind == TabulatedFrame::frenet))
     make_continuous(*numbers);
   std::vector<std::size_t> whole{numbers->size() / asked.width};
   whole.insert(whole.end(), shape.begin(), shape.end());
@@ -175,7 +183,7 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
   return [=](const PathObject& self, nb::handle ts, nb::handle start, nb::handle start_normal,
              nb::handle up, const Text<"kind">& kind, const Text<"by">& by, nb::handle progress) {
     return array_of(self,
-                    {ts, start, start_normal, up, frame_kind(kind, self), is_by_arc_length(by),
+                    {ts, start, start_normal, up, frame_kind(kind, self), parameter_kind(by),
                      progress, product(shape)},
                     shape, write);
   };
@@ -184,8 +192,8 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
 nb::object points(const PathObject& self, nb::handle ts, const Text<"by">& by,
                   nb::handle progress) {
   const nb::object none = nb::none();
-  return array_of(self, {ts, none, none, none, std::nullopt, is_by_arc_length(by), progress, 3},
-                  {3}, [](const auto& place, double* out) {
+  return array_of(self, {ts, none, none, none, std::nullopt, parameter_kind(by), progress, 3}, {3},
+                  [](const auto& place, double* out) {
                     const Vector<double> r = place.point();
                     std::copy(r.begin(), r.end(), out);
                   });
@@ -245,9 +253,33 @@ std::optional<double> approximated(const CompiledAngles& compiled, const Paramet
 
 }  // namespace
 
-nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts,
-                  nb::handle progress) {
+/// θ at places that are not at fractions of t.
+nb::object angles_by_places(const NamedPath& named, const PathAngle& angle, const StartAngle& start,
+                            const At& at, ParameterKind by, nb::handle progress) {
+  const auto numbers = std::make_shared<DoubleArray>(at->size());
+  run({.n = at->size(),
+       .grain = 1,
+       .work =
+           [=](std::size_t from, std::size_t to) {
+             const Parametrization along(named, by);
+             for (std::size_t k = from; k < to; ++k) {
+               const Place place = at_place("ts[" + std::to_string(k) + "]",
+                                            [&] { return along.point((*at)[k]).at; });
+               (*numbers)[k] = finite(round_to_double(angle.value(place, start)));
+             }
+           }},
+      progress);
+  return array(numbers, {at->size()});
+}
+
+nb::object angles(const NamedPath& named, const PathAngle& angle, const StartAngle& start,
+                  nb::handle ts, ParameterKind by, nb::handle progress) {
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
+  if (by != ParameterKind::t) {
+    const auto t = is_linear(by) ? by_t(parametrization(named, by), *at, "ts") : std::nullopt;
+    if (!t) return angles_by_places(named, angle, start, at, by, progress);
+    *at = *t;
+  }
   if (!goes_on(angle.path())) require_inside(*at, angle.path().end(), ts);
   const auto numbers = std::make_shared<DoubleArray>(at->size());
   const auto compiled = std::make_shared<CompiledAngles>();
@@ -269,20 +301,21 @@ nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts
 }
 
 void bind_arrays(PathClass& path) {
-#define PHRAME_FRAMES(name, of, what)                                                           \
-  path.def(name, of, argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,                    \
-           argument("up") = nb::none(), argument("kind") = "rmf", argument("by") = "parameter", \
-           argument("progress") = nb::none(),                                                   \
-           nb::sig("def " name "(self, ts: Numbers, *, " PHRAME_START_SIG ", " PHRAME_UP_SIG    \
-                   ", kind: str = 'rmf', by: str = 'parameter', " PHRAME_PROGRESS               \
-                   ") -> " PHRAME_ARRAY),                                                       \
+#define PHRAME_FRAMES(name, of, what)                                                            \
+  path.def(name, of, argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,                     \
+           argument("up") = nb::none(), argument("kind") = "rmf", argument("by") = "t",          \
+           argument("progress") = nb::none(),                                                    \
+           nb::sig("def " name "(self, ts: Numbers, *, " PHRAME_START_SIG ", " PHRAME_UP_SIG     \
+                   ", kind: str = 'rmf', by: str = 't', " PHRAME_PROGRESS ") -> " PHRAME_ARRAY), \
            what)
   PHRAME_FRAMES(
       "frames",
       tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
       "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
-      "Every number is correctly rounded. `kind` is rmf, erf (on PH curves), up or frenet; `by` is "
-      "parameter or arc_length; where a rotation-minimizing frame starts, `start` or "
+      "Every number is correctly rounded. `kind` is rmf, erf (on PH curves), up or frenet; `by` "
+      "says what ts are: t, native, unit, arc-length or fraction; where a rotation-minimizing "
+      "frame "
+      "starts, `start` or "
       "`start_normal` says: see docs/python.md.");
   PHRAME_FRAMES("quaternions",
                 tabulated({4},
@@ -299,9 +332,9 @@ void bind_arrays(PathClass& path) {
                            double* out) { write_pose(place.frame(), place.point(), out); }),
       "The same as an array (n, 4, 4) of matrices with the columns e1, f2, f3, r.");
 #undef PHRAME_FRAMES
-  path.def("points", points, argument("ts"), nb::kw_only(), argument("by") = "parameter",
+  path.def("points", points, argument("ts"), nb::kw_only(), argument("by") = "t",
            argument("progress") = nb::none(),
-           nb::sig("def points(self, ts: Numbers, *, by: str = 'parameter', " PHRAME_PROGRESS
+           nb::sig("def points(self, ts: Numbers, *, by: str = 't', " PHRAME_PROGRESS
                    ") -> " PHRAME_ARRAY),
            "r at each parameter, correctly rounded: an array (n, 3).");
 }

@@ -310,6 +310,8 @@ nb::object from_scipy(nb::handle curve) {
   return parsed(python::text(text, "curve"), nb::none());
 }
 
+nb::object from_object(nb::handle curve) { return imported("phrame._foreign", "path")(curve); }
+
 /// Paths one after the other.
 NamedPath of_paths(nb::handle curves, const std::string& name) {
   if (PySequence_Check(curves.ptr()) == 0) refuse_type("curves", "a list of paths", curves);
@@ -439,6 +441,10 @@ void bind_constructors(nb::module_& m, PathClass& path) {
       .def_static("from_json", parse, argument("text"), PHRAME_READ_PARAMETERS,
                   nb::sig("def from_json(text: str | bytes" PHRAME_READ_SIG),
                   "The same of what such a file has in it.")
+      .def_static("of", from_object, argument("curve"), nb::sig("def of(curve: object) -> Path"),
+                  "The curve that an object of another package is: of scipy.interpolate (as "
+                  "from_scipy), splipy, geomdl, rhino3dm, ezdxf, or, as a polyline, of shapely, "
+                  "trimesh, pyvista.")
       .def_static("from_scipy", from_scipy, argument("curve"),
                   nb::sig("def from_scipy(curve: object) -> Path"),
                   "The curve of an object of scipy.interpolate with t, c and k (BSpline) or with c "

@@ -2,18 +2,17 @@
 
 namespace phrame::python {
 
-GeneralSource::GeneralSource(const Path& path, std::optional<PathAngle> angle, FrameKind kind,
-                             StartAngle start, bool is_by_length)
-    : path_(path),
+GeneralSource::GeneralSource(Parametrization along, std::optional<PathAngle> angle, FrameKind kind,
+                             StartAngle start)
+    : along_(std::move(along)),
+      path_(along_.path()),
       angle_(std::move(angle)),
       kind_(kind),
-      start_(std::move(start)),
-      length_(path),
-      is_by_length_(is_by_length) {}
+      start_(std::move(start)) {}
 
 void GeneralSource::prepare(const Parameters& at) {
   const std::lock_guard guard(lock_);
-  if (!at.are_doubles() || is_by_length_) return;
+  if (!at.are_doubles() || along_.kind() != ParameterKind::t) return;
   if (asked_ == 0) round_positions();
   asked_ += at.size();
   if (!angle_ || kind_ != TabulatedFrame::rmf || is_compiled_ || is_undecided_ ||
@@ -62,9 +61,7 @@ std::array<double, 4> GeneralSource::quaternion(const Parameters& at, std::size_
 }
 
 Place GeneralSource::place(const Parameters& at, std::size_t k) const {
-  return at_place("ts[" + std::to_string(k) + "]", [&] {
-    return is_by_length_ ? length_.point(at[k]) : Place(locate(path_, at[k]));
-  });
+  return at_place("ts[" + std::to_string(k) + "]", [&] { return along_.point(at[k]).at; });
 }
 
 /// Where all segments are polynomials.

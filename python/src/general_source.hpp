@@ -8,7 +8,7 @@ struct GeneralFrames {
   FrameKind kind;
   FrameStart start;
   std::optional<Vector<Rational>> up;
-  bool is_by_length = false;
+  ParameterKind by = ParameterKind::t;
   friend bool operator==(const GeneralFrames&, const GeneralFrames&) = default;
 };
 
@@ -17,8 +17,8 @@ struct GeneralFrames {
 class GeneralSource {
  public:
   /// Without an angle there are points only.
-  GeneralSource(const Path& path, std::optional<PathAngle> angle, FrameKind kind, StartAngle start,
-                bool is_by_length);
+  GeneralSource(Parametrization along, std::optional<PathAngle> angle, FrameKind kind,
+                StartAngle start);
 
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
@@ -35,12 +35,11 @@ class GeneralSource {
   void round_positions();
   Frame<Real> exact_frame(const Parameters& at, std::size_t k) const;
 
+  Parametrization along_;
   Path path_;
   std::optional<PathAngle> angle_;
   FrameKind kind_;
   StartAngle start_;
-  PathLength length_;
-  bool is_by_length_;
   std::mutex lock_;  ///< while something is made
   std::size_t asked_ = 0;
   std::optional<CompiledFrames> compiled_;

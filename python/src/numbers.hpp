@@ -25,10 +25,9 @@ nb::object readable(const std::string& bytes);
 /// The same as a TypeError.
 [[noreturn]] void refuse_type(const std::string& place, const char* wanted, nb::handle value);
 
-/// What a name stands for; of others it is said which there are.
-template <class T>
-T chosen(const std::string& name, const char* place,
-         std::initializer_list<std::pair<const char*, T>> list) {
+/// What a name stands for in a list of pairs; of others it is said which there are.
+template <class T, class List = std::initializer_list<std::pair<const char*, T>>>
+T chosen(const std::string& name, const char* place, const List& list) {
   std::string names;
   for (const auto& [known, value] : list) {
     if (name == known) return value;

@@ -6,6 +6,20 @@
 
 namespace phrame::python {
 
+Parameters parameters(std::vector<Rational> fractions) {
+  Parameters found;
+  found.fractions = std::move(fractions);
+  for (const Rational& t : found.fractions) {
+    const double near = round_to_double(t);
+    if (!std::isfinite(near) || exact_rational(near) != t) {
+      found.doubles.clear();
+      return found;
+    }
+    found.doubles.push_back(near);
+  }
+  return found;
+}
+
 Parameters parameters(nb::handle ts, const std::string& place) {
   Parameters found;
   const nb::object list = listed(ts, place, "a list of numbers");
@@ -23,19 +37,11 @@ Parameters parameters(nb::handle ts, const std::string& place) {
       found.doubles.assign(array.data(), array.data() + array.shape(0));
     }
   }
-  if (found.doubles.empty()) found.fractions = rationals(list, place);
+  if (found.doubles.empty()) found = parameters(rationals(list, place));
   if (found.size() == 0) refuse(place, "it is empty", ts);
   for (std::size_t k = 0; k < found.doubles.size(); ++k)
     if (!std::isfinite(found.doubles[k]))
       refuse(place + "[" + std::to_string(k) + "]", "not a finite number", ts);
-  for (const Rational& t : found.fractions) {
-    const double near = round_to_double(t);
-    if (!std::isfinite(near) || exact_rational(near) != t) {
-      found.doubles.clear();
-      return found;
-    }
-    found.doubles.push_back(near);
-  }
   return found;
 }
 

@@ -19,6 +19,8 @@ struct Parameters {
   }
 };
 
+/// Of fractions: doubles where all of them are.
+Parameters parameters(std::vector<Rational> fractions);
 /// Of an array of doubles, of one of another kind, or of a list of numbers.
 /// Refuses what is empty or not finite, named as `place`.
 Parameters parameters(nb::handle ts, const std::string& place);

@@ -127,6 +127,8 @@ KnownReal curvature_at(const Path& path, const Rational& t) {
   return {curvature(path, locate(path, t))};
 }
 
+KnownReal curvature_at(const Path& path, const Place& at) { return {curvature(path, at)}; }
+
 KnownReal torsion_at(const PhPath& path, const Rational& t) {
   const PathParameter at = locate(path, t);
   return {torsion(path.segments()[at.segment])(at.t)};
@@ -134,6 +136,8 @@ KnownReal torsion_at(const PhPath& path, const Rational& t) {
 KnownReal torsion_at(const Path& path, const Rational& t) {
   return {torsion(path, locate(path, t))};
 }
+
+KnownReal torsion_at(const Path& path, const Place& at) { return {torsion(path, at)}; }
 
 Vector<Real> point_at(const PhPath& path, const Rational& t) {
   const PathParameter at = locate(path, t);
@@ -143,6 +147,7 @@ Vector<Real> point_at(const PhPath& path, const Rational& t) {
 Vector<Real> point_at(const Path& path, const Rational& t) {
   return position(path, locate(path, t));
 }
+Vector<Real> point_at(const Path& path, const Place& at) { return position(path, at); }
 
 /// of(path, t), for the name of an argument; along PH curves at once, as these are fractions.
 template <class F>
@@ -154,27 +159,48 @@ auto asked_at(nb::handle self, const char* argument, const Rational& t, const F&
   });
 }
 
+/// of(path, t) where t is a fraction, else of(path, place): where `x` is, by this parameter.
+template <class F>
+auto asked_by(nb::handle self, const char* argument, const Rational& x, ParameterKind by,
+              const F& of) {
+  if (by == ParameterKind::t) return asked_at(self, argument, x, of);
+  const PathObject& path = path_of(self);
+  const Place at = place_of(path, x, by, argument);
+  if (const Real t = parameter(at); t.exact()) return asked_at(self, argument, *t.exact(), of);
+  return at_place(argument, [&] {
+    return without_gil([along = path.named.path, at, of] { return of(along, at); });
+  });
+}
+
+/// How a number is pickled that a method answers, where `by` is t without it.
+nb::object recipe_by(nb::handle self, const char* name, const Rational& x, const std::string& by) {
+  if (by == "t") return method_recipe(self, name, to_python(x));
+  return method_recipe(self, name, to_python(x), nb::str(by.c_str()));
+}
+
 /// A vector of which the components are pickled as those of what the method answers.
-nb::object point(nb::handle self, nb::handle t) {
+nb::object point(nb::handle self, nb::handle t, const Text<"by">& by) {
   const Rational at = rational(t, "t");
-  const Vector<Real> r = asked_at(
-      self, "t", at, [](const auto& along, const Rational& x) { return point_at(along, x); });
+  const Vector<Real> r =
+      asked_by(self, "t", at, parameter_kind(by),
+               [](const auto& along, const auto& x) { return point_at(along, x); });
   const auto component = [&](long k) {
-    return to_python(
-        r[static_cast<std::size_t>(k)],
-        recipe(imported("phrame._pickle", "component"), self, nb::str("point"), to_python(at), k));
+    const nb::object function = imported("phrame._pickle", "component");
+    return to_python(r[static_cast<std::size_t>(k)],
+                     by == "t" ? recipe(function, self, nb::str("point"), to_python(at), k)
+                               : recipe(function, self, nb::str("point"), to_python(at), k,
+                                        nb::str(by.c_str())));
   };
   return nb::make_tuple(component(0), component(1), component(2));
 }
 
-nb::object arc_length(nb::handle self, nb::handle t) {
+nb::object arc_length(nb::handle self, nb::handle t, const Text<"by">& by) {
   const Rational at = rational(t, "t");
   const PathObject& path = path_of(self);
-  const auto length = [along = path.named.path, at] {
-    return PathLength(along).value(locate(along, at));
-  };
+  const Place place = place_of(path, at, parameter_kind(by), "t");
+  const auto length = [along = path.named.path, place] { return PathLength(along).value(place); };
   return to_python(at_place("t", [&] { return path.ph ? length() : without_gil(length); }),
-                   method_recipe(self, "arc_length", to_python(at)));
+                   recipe_by(self, "arc_length", at, by));
 }
 
 nb::object parameter_at(nb::handle self, nb::handle s) {
@@ -188,28 +214,49 @@ nb::object parameter_at(nb::handle self, nb::handle s) {
                : to_python(parameter(at), method_recipe(self, "parameter_at", to_python(length)));
 }
 
+nb::object domain(nb::handle self, const Text<"by">& by) {
+  const PathObject& path = path_of(self);
+  const ParameterKind kind = parameter_kind(by);
+  const Parametrization along = parametrization(path.named, kind);
+  const Real from = along.from();
+  const Real to = along.to();
+  const auto end = [&](const Real& x, long k) {
+    return to_python(x, recipe(imported("phrame._pickle", "component"), self, nb::str("domain"),
+                               nb::str(by.c_str()), k));
+  };
+  return nb::make_tuple(end(from, 0), end(to, 1));
+}
+
 void bind_places(PathClass& path) {
-#define PHRAME_AT(name, of, what)                                                              \
-  path.def(                                                                                    \
-      name,                                                                                    \
-      [](nb::handle self, nb::handle t) {                                                      \
-        const Rational at = rational(t, "t");                                                  \
-        const KnownReal found = asked_at(                                                      \
-            self, "t", at, [](const auto& along, const Rational& x) { return of(along, x); }); \
-        return to_python(found.value, method_recipe(self, name, to_python(at)), found.bound);  \
-      },                                                                                       \
-      argument("t"), nb::sig("def " name "(self, t: Number) -> " PHRAME_REAL_SIG), what)
+#define PHRAME_AT(name, of, what)                                                    \
+  path.def(                                                                          \
+      name,                                                                          \
+      [](nb::handle self, nb::handle t, const Text<"by">& by) {                      \
+        const Rational at = rational(t, "t");                                        \
+        const KnownReal found =                                                      \
+            asked_by(self, "t", at, parameter_kind(by),                              \
+                     [](const auto& along, const auto& x) { return of(along, x); }); \
+        return to_python(found.value, recipe_by(self, name, at, by), found.bound);   \
+      },                                                                             \
+      argument("t"), argument("by") = "t",                                           \
+      nb::sig("def " name "(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_SIG), what)
   PHRAME_AT("curvature", curvature_at, "κ ≥ 0 at t.");
   PHRAME_AT("torsion", torsion_at, "τ at t.");
 #undef PHRAME_AT
-  path.def("arc_length", arc_length, argument("t"),
-           nb::sig("def arc_length(self, t: Number) -> " PHRAME_REAL_SIG),
+  path.def("arc_length", arc_length, argument("t"), argument("by") = "t",
+           nb::sig("def arc_length(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_SIG),
            "The length from the start to t.")
       .def("parameter_at", parameter_at, argument("s"),
            nb::sig("def parameter_at(self, s: Number) -> " PHRAME_REAL_SIG),
            "The t where the length from the start is s.")
-      .def("point", point, argument("t"),
-           nb::sig("def point(self, t: Number) -> " PHRAME_REAL_VECTOR_SIG), "r(t).");
+      .def("point", point, argument("t"), argument("by") = "t",
+           nb::sig("def point(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_VECTOR_SIG),
+           "r(t).")
+      .def("domain", domain, argument("by") = "t",
+           nb::sig("def domain(self, " PHRAME_BY_SIG ") -> tuple[" PHRAME_REAL_SIG
+                   ", " PHRAME_REAL_SIG "]"),
+           "From where to where a parameter goes along the path: t, native (that of the file, of "
+           "knots or of formulas), unit, arc-length or fraction.");
 }
 
 }  // namespace

@@ -93,4 +93,20 @@ Path unpacked_path(nb::handle packed) {
   return joined(std::move(segments));
 }
 
+nb::object packed_parameters(const NamedPath& named) {
+  std::vector<Rational> joints;
+  for (const Real& joint : named.parameters) {
+    if (!joint.exact()) return nb::none();
+    joints.push_back(*joint.exact());
+  }
+  return to_python(joints);
+}
+
+std::vector<Real> unpacked_parameters(nb::handle packed, const Path& path) {
+  if (packed.is_none())
+    return formula_parameters(std::get<ExpressionCurve>(path.segments().front()));
+  const std::vector<Rational> joints = rationals(packed, "parameters");
+  return {joints.begin(), joints.end()};
+}
+
 }  // namespace phrame::python

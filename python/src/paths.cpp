@@ -6,6 +6,32 @@ namespace phrame::python {
 
 PathObject::PathObject(NamedPath path) : named(std::move(path)), ph(as_ph(named)) {}
 
+ParameterKind parameter_kind(const std::string& by) {
+  return chosen<ParameterKind>(by, "by", parameter_kinds());
+}
+
+std::optional<Parameters> by_t(const Parametrization& along, const Parameters& at,
+                               std::string_view place) {
+  if (along.kind() == ParameterKind::t) return at;
+  std::vector<Rational> found;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const std::string name = std::string(place) + "[" + std::to_string(k) + "]";
+    const Real t = parameter(at_place(name, [&] { return along.point(at[k]).at; }));
+    if (!t.exact()) return std::nullopt;
+    found.push_back(*t.exact());
+  }
+  return parameters(std::move(found));
+}
+
+Parametrization parametrization(const NamedPath& named, ParameterKind by) {
+  return at_place("by", [&] { return Parametrization(named, by); });
+}
+
+Place place_of(const PathObject& path, const Rational& x, ParameterKind by, const char* place) {
+  const Parametrization along = parametrization(path.named, by);
+  return at_place(place, [&] { return without_gil([along, x] { return along.point(x).at; }); });
+}
+
 nb::object wrap(NamedPath named) { return nb::cast(PathObject(std::move(named))); }
 const PathObject& path_of(nb::handle self) { return nb::cast<const PathObject&>(self); }
 
@@ -203,12 +229,14 @@ std::string shown(const PathObject& self) {
 void bind_path(nb::module_& m, PathClass& path) {
   m.def(
       "_path",
-      [](const std::string& name, nb::handle segments, nb::handle frame) {
-        NamedPath named{name, unpacked_path(segments)};
-        named.frame = unpacked_frame(frame);
-        return wrap(std::move(named));
+      [](const std::string& name, nb::handle segments, nb::handle parameters, nb::handle frame) {
+        NamedPath made{name, unpacked_path(segments)};
+        made.parameters = unpacked_parameters(parameters, made.path);
+        made.frame = unpacked_frame(frame);
+        return wrap(std::move(made));
       },
-      nb::arg(), nb::arg(), nb::arg() = nb::none());
+      argument("name"), argument("segments"), argument("parameters") = nb::make_tuple(),
+      argument("frame") = nb::none());
   path.def_prop_ro(
           "name", [](const PathObject& self) { return self.named.name; }, "May be empty.")
       .def_prop_ro(
@@ -270,10 +298,10 @@ void bind_path(nb::module_& m, PathClass& path) {
       .def(
           "__reduce__",
           [](const PathObject& self) {
-            const nb::str name(self.named.name.c_str());
-            if (!self.named.frame) return remade("_path", name, packed_path(self.named.path));
-            return remade("_path", name, packed_path(self.named.path),
-                          packed_frame(*self.named.frame));
+            const NamedPath& named = self.named;
+            return remade("_path", nb::str(named.name.c_str()), packed_path(named.path),
+                          packed_parameters(named),
+                          named.frame ? packed_frame(*named.frame) : nb::object(nb::none()));
           },
           PHRAME_REDUCE_SIG);
   bind_python(

@@ -61,6 +61,16 @@ PathAngle angle_to_up(const Path& path, nb::handle up);
 Reference reference_named(nb::handle name, const char* place, const PathObject& path,
                           nb::handle up);
 
+/// `by`: what numbers are values of.
+ParameterKind parameter_kind(const std::string& by);
+/// The same points by t, where they are all at fractions of it; no value where they are not.
+std::optional<Parameters> by_t(const Parametrization& along, const Parameters& at,
+                               std::string_view place);
+/// The path by this parameter, which it has.
+Parametrization parametrization(const NamedPath& named, ParameterKind by);
+/// Where the number that is asked for is, found without Python's lock; `place` names it.
+Place place_of(const PathObject& path, const Rational& x, ParameterKind by, const char* place);
+
 /// How an attribute or the answer of a method is pickled: it is asked for again.
 nb::object attribute_recipe(nb::handle self, const char* name);
 template <class... T>
@@ -78,10 +88,13 @@ Path unpacked_path(nb::handle packed);
 nb::object packed_frame(const FrameThrough& frame);
 std::optional<FrameThrough> unpacked_frame(nb::handle packed);
 /// @}
+/// NamedPath::parameters: fractions, or None of those of formulas, which have them.
+nb::object packed_parameters(const NamedPath& named);
+std::vector<Real> unpacked_parameters(nb::handle packed, const Path& path);
 
 /// θ at many parameters, correctly rounded: an array.
-nb::object angles(const PathAngle& angle, const StartAngle& start, nb::handle ts,
-                  nb::handle progress);
+nb::object angles(const NamedPath& named, const PathAngle& angle, const StartAngle& start,
+                  nb::handle ts, ParameterKind by, nb::handle progress);
 
 /// @{ "x" to "-z"; orientations as quaternions, scalar last, matrices, or a Rotation of SciPy.
 TangentAxis tangent_axis(const std::string& name);
@@ -102,6 +115,7 @@ void bind_ask(nb::module_& m);
 #define PHRAME_START_PARAMETERS \
   argument("start") = nb::none(), argument("start_normal") = nb::none()
 #define PHRAME_START_SIG "start: Number | None = None, start_normal: Vector | None = None"
+#define PHRAME_BY_SIG "by: str = 't'"
 #define PHRAME_UP_SIG "up: Vector | None = None"
 #define PHRAME_REAL_SIG "fractions.Fraction | Real"
 #define PHRAME_REAL_VECTOR_SIG \

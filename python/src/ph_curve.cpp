@@ -55,11 +55,18 @@ void bind_properties(PathClass& path) {
 /// What make(curve) is of one PH curve, which goes on for all t, and make(path) of another path,
 /// under the same name.
 template <class F>
-nb::object remade_path(const PathObject& self, const F& make) {
+NamedPath remade_path(const PathObject& self, const F& make) {
   if (self.ph && self.ph->path.is_curve())
-    return wrap(NamedPhPath(self.named.name, make(self.ph->path.segments().front())));
-  return wrap(NamedPath{self.named.name,
-                        without_gil([path = self.named.path, make] { return make(path); })});
+    return NamedPhPath(self.named.name, make(self.ph->path.segments().front()));
+  return {self.named.name, without_gil([path = self.named.path, make] { return make(path); })};
+}
+
+/// The same with the same parameters.
+template <class F>
+nb::object moved_path(const PathObject& self, const F& make) {
+  NamedPath made = remade_path(self, make);
+  made.parameters = self.named.parameters;
+  return wrap(std::move(made));
 }
 
 void bind_transformations(PathClass& path) {
@@ -67,28 +74,28 @@ void bind_transformations(PathClass& path) {
           "segment",
           [](const PathObject& self, nb::handle from, nb::handle to) {
             const Rational a = rational(from, "a"), b = rational(to, "b");
-            return remade_path(self, [=](const auto& of) { return segment(of, a, b); });
+            return wrap(remade_path(self, [=](const auto& of) { return segment(of, a, b); }));
           },
           argument("a"), argument("b"), nb::sig("def segment(self, a: Number, b: Number) -> Path"),
           "The part from t = a to b: of one segment on [0, 1]; backwards for a > b.")
       .def(
           "reversed",
           [](const PathObject& self) {
-            return remade_path(self, [](const auto& of) { return reversed(of); });
+            return wrap(remade_path(self, [](const auto& of) { return reversed(of); }));
           },
           nb::sig("def reversed(self) -> Path"), "t ↦ r(end − t).")
       .def(
           "translated",
           [](const PathObject& self, nb::handle v) {
             const auto by = vector(v, "v");
-            return remade_path(self, [=](const auto& of) { return translated(of, by); });
+            return moved_path(self, [=](const auto& of) { return translated(of, by); });
           },
           argument("v"), nb::sig("def translated(self, v: Vector) -> Path"), "r + v.")
       .def(
           "scaled",
           [](const PathObject& self, nb::handle c) {
             const Rational by = rational(c, "c");
-            return remade_path(self, [=](const auto& of) { return scaled(of, by); });
+            return moved_path(self, [=](const auto& of) { return scaled(of, by); });
           },
           argument("c"), nb::sig("def scaled(self, c: Number) -> Path"), "c·r.")
       .def(
@@ -98,7 +105,7 @@ void bind_transformations(PathClass& path) {
             if (list.size() != 4)
               refuse("u", "4 numbers are wanted, there are " + std::to_string(list.size()), u);
             const RationalQuaternion by{list[0], list[1], list[2], list[3]};
-            return remade_path(self, [=](const auto& of) { return rotated(of, by); });
+            return moved_path(self, [=](const auto& of) { return rotated(of, by); });
           },
           argument("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Path"),
           "Rotated as the quaternion u, its real part first, says, and scaled by |u|².");

@@ -115,21 +115,11 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   write_page(self.named, query, samples, file);
 }
 
-OffsetJoin join_named(nb::handle join) {
-  const std::string given = text(join, "join");
-  std::string known;
-  for (const auto& [name, value] : offset_joins()) {
-    if (name == given) return value;
-    known += (known.empty() ? "" : ", ") + name;
-  }
-  refuse("join", "\"" + abbreviated(given) + "\" is not one of " + known, join);
-}
-
 nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle join) {
   const PhPath& along = ph_of(self, "offset").path;
   const Rational d = rational(distance, "distance");
   if (d == 0) refuse("distance", "0 is no distance", distance);
-  const OffsetJoin joined_by = join_named(join);
+  const auto joined_by = chosen<OffsetJoin>(text(join, "join"), "join", offset_joins());
   nb::list list;
   for (Path& path : without_gil([=] { return paths(offset(along, d, joined_by)); }))
     list.append(wrap(NamedPath(self.named.name, std::move(path))));

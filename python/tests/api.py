@@ -34,7 +34,7 @@ REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
 LISTS = {name: [1, 2] for name in "uvpq"}
 START = {"start": 0, "start_normal": None}
-ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "parameter", "progress": None}
+ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "t", "progress": None}
 CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START, "up": None}
 CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
 X = sympy.Symbol("x")
@@ -64,11 +64,12 @@ API = {
     "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
     "Path.json": (QUINTIC.json, {}),
     "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
-    "Path.point": (QUINTIC.point, {"t": 1}),
-    "Path.curvature": (QUINTIC.curvature, {"t": 1}),
-    "Path.arc_length": (QUINTIC.arc_length, {"t": 1}),
+    "Path.point": (QUINTIC.point, {"t": 1, "by": "t"}),
+    "Path.domain": (QUINTIC.domain, {"by": "t"}),
+    "Path.curvature": (QUINTIC.curvature, {"t": 1, "by": "t"}),
+    "Path.arc_length": (QUINTIC.arc_length, {"t": 1, "by": "t"}),
     "Path.parameter_at": (QUINTIC.parameter_at, {"s": 1}),
-    "Path.torsion": (QUINTIC.torsion, {"t": 1}),
+    "Path.torsion": (QUINTIC.torsion, {"t": 1, "by": "t"}),
     "Path.frames": (QUINTIC.frames, ARRAY),
     "Path.quaternions": (QUINTIC.quaternions, ARRAY),
     "Path.matrices": (QUINTIC.matrices, ARRAY),
@@ -93,6 +94,8 @@ API = {
     "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
     "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
     "Path.linking_number": (RING.linking_number, {"other": OTHER_RING}),
+    "Path.of": (phrame.Path.of, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),
+    "Path.polyline": (phrame.Path.polyline, {"points": POINTS, "closed": False, "name": ""}),
     "Path.from_scipy": (phrame.Path.from_scipy, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),
     "Path.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
     "Path.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],
@@ -111,7 +114,7 @@ API = {
     "Path.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf"}),
     "Angle.value": (THETA.value, {"t": 1, "digits": None}),
     "Angle.digits": (THETA.digits, {"t": 1, "n": 5}),
-    "Angle.__call__": (THETA, {"ts": [0], "progress": None}),
+    "Angle.__call__": (THETA, {"ts": [0], "by": "t", "progress": None}),
     "Angle.rate": (THETA.rate, {"segment": 0}),
     "Angle.poles": (THETA.poles, {"segment": 0}),
     "Angle.text": (THETA.text, {"style": "logarithms"}),
@@ -196,7 +199,7 @@ OF_ANY_KIND = {
     "Path.page": (CUBIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
     "Angle.value": (CUBIC.angle().value, {"t": 1, "digits": None}),
     "Angle.digits": (CUBIC.angle().digits, {"t": 1, "n": 5}),
-    "Angle.__call__": (CUBIC.angle(), {"ts": [0], "progress": None}),
+    "Angle.__call__": (CUBIC.angle(), {"ts": [0], "by": "t", "progress": None}),
     "Angle.text": (CUBIC.angle().text, {"style": "logarithms"}),
     "Angle.latex": (CUBIC.angle().latex, {"style": "logarithms"}),
     "Angle.json": (CUBIC.angle().json, {"style": "logarithms"}),

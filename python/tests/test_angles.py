@@ -28,7 +28,7 @@ def test_angles_start_where_they_are_asked_to():
 
 
 @pytest.mark.skipif(not os.path.exists(PROGRAM), reason="the program was not built")
-@pytest.mark.parametrize("by, option", [("parameter", []), ("arc_length", ["--by", "arc-length"])])
+@pytest.mark.parametrize("by, option", [("t", []), ("arc-length", ["--by", "arc-length"])])
 def test_frames_are_those_of_the_program_to_the_bit(tmp_path, by, option):
     file = tmp_path / "curve.json"
     file.write_text(QUINTIC.json())
@@ -37,7 +37,7 @@ def test_frames_are_those_of_the_program_to_the_bit(tmp_path, by, option):
     table = np.load(tmp_path / "frames.npy")
     if table.dtype.names:
         table = np.array(table.tolist())
-    ts = [Fraction(k, 32) * (QUINTIC.length if by == "arc_length" else 1) for k in range(33)]
+    ts = [Fraction(k, 32) * (QUINTIC.length if by == "arc-length" else 1) for k in range(33)]
     assert (QUINTIC.frames(ts, by=by).reshape(33, 9) == table[:, 4:13]).all()
     assert (QUINTIC.points(ts, by=by) == table[:, 1:4]).all()
     assert (QUINTIC.matrices(ts, by=by)[:, :3, 3] == table[:, 1:4]).all()

@@ -253,13 +253,13 @@ def test_by_arc_length():
     for path in (CUBIC, QUINTIC):
         t = [float(x) for x in (0, *(path.parameter_at(x) for x in s[1:]))]
         for name in ("points", "frames", "quaternions", "matrices"):
-            by_length = getattr(path, name)(s, by="arc_length")
+            by_length = getattr(path, name)(s, by="arc-length")
             assert np.abs(by_length - getattr(path, name)(t)).max() < 1e-14, name
     for kind in ("rmf", "erf", "frenet"):
-        x, y, z, w = QUINTIC.quaternions(s, kind=kind, by="arc_length").T
+        x, y, z, w = QUINTIC.quaternions(s, kind=kind, by="arc-length").T
         e1 = np.array([1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)]).T
         f2 = np.array([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)]).T
-        frames = QUINTIC.frames(s, kind=kind, by="arc_length")
+        frames = QUINTIC.frames(s, kind=kind, by="arc-length")
         assert np.abs(e1 - frames[:, 0]).max() < 1e-15 and np.abs(f2 - frames[:, 1]).max() < 2e-15
 
 
@@ -368,13 +368,13 @@ def test_a_length_that_is_rounded_up_is_the_end():
             if path.length < Fraction(length):
                 beyond += 1
                 assert t == end and path.parameter_at(repr(length)) == end
-                assert (path.frames([length], by="arc_length") == path.frames([end])).all()
-                assert (path.points([length], by="arc_length") == path.points([end])).all()
+                assert (path.frames([length], by="arc-length") == path.frames([end])).all()
+                assert (path.points([length], by="arc-length") == path.points([end])).all()
             too_long = length * (1 + 2**-50)
             with pytest.raises(phrame.DomainError, match=rf"^s: .*{too_long!r} is outside \[0, "):
                 path.parameter_at(too_long)
             with pytest.raises(phrame.DomainError, match=rf"^ts\[1\]: .*{too_long!r} is outside \[0, "):
-                path.points([0, too_long], by="arc_length")
+                path.points([0, too_long], by="arc-length")
     assert beyond
 
 

@@ -157,3 +157,35 @@ def test_threads_share_one_angle():
     for thread in threads:
         thread.join()
     assert all(values == expected for values in found.values()) and len(found) == 4
+
+
+def test_parameters_of_files_and_of_lengths_are_named_by_by():
+    """s of a helix, knots of a NURBS; 3 cos s and 3 sin s by NumPy, lengths by arc_length."""
+    helix = phrame.Path.expressions("3*cos(s)", "3*sin(s)", "4*s", 0, "4*pi")
+    low, high = helix.domain("native")
+    assert low == 0 and float(high) == 4 * np.pi
+    s = np.linspace(float(low), float(high), 7)
+    np.testing.assert_allclose(helix.points(s, by="native"), np.transpose([3 * np.cos(s), 3 * np.sin(s), 4 * s]), atol=1e-14)
+    assert [float(x) for x in helix.point(2, by="native")] == list(helix.points([2], by="native")[0])
+    assert helix.angle()([2], by="native")[0] == helix.angle()(2, by="native")
+    assert float(helix.arc_length(3, by="native")) == 15  # 5 for each radian
+    spline = phrame.Path.nurbs([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2], [5, 5, 5]], knots=[0, 0, 0, 0, "3/10", 1, 1, 1, 1])
+    assert spline.domain("native") == (0, 1) and spline.domain() == (0, 2)
+    assert (spline.frames(["3/20"], by="native") == spline.frames([0.5])).all()
+    assert (spline.frames([0.25], by="unit") == spline.frames([0.5])).all()
+    half = spline.points([0.5], by="fraction")
+    np.testing.assert_allclose(half, spline.points([float(spline.length) / 2], by="arc-length"), rtol=1e-15)
+    for path in (helix, spline, QUINTIC):
+        for by in ("t", "native", "arc-length", "fraction"):
+            if by == "native" and path is QUINTIC:
+                continue
+            ends = [float(x) for x in path.domain(by)]
+            for n in (2, 3, 7, 10):
+                assert path.frames(np.linspace(*ends, n), by=by).shape == (n, 3, 3)
+    for moved in (pickle.loads(pickle.dumps(helix)), helix.translated([1, 0, 0]), helix.scaled(2)):
+        assert [float(x) for x in moved.domain("native")] == [0, 4 * np.pi]
+    assert pickle.loads(pickle.dumps(spline)).domain("native") == (0, 1)
+    with pytest.raises(phrame.DomainError, match="by: the file of the path has no parameter of its own but t"):
+        QUINTIC.points([0], by="native")
+    with pytest.raises(phrame.InputError, match="is not one of t, native, unit, arc-length, fraction"):
+        QUINTIC.points([0], by="length")

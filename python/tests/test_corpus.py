@@ -82,7 +82,7 @@ def frames(path):
 
 def lengths(path):
     s = [path.length * Fraction(k, 4) for k in range(5)]
-    return np.concatenate([path.points(s, by="arc_length"), path.quaternions(s, by="arc_length")], axis=1)
+    return np.concatenate([path.points(s, by="arc-length"), path.quaternions(s, by="arc-length")], axis=1)
 
 
 def same_text(found, printed):

@@ -89,8 +89,8 @@ def test_numbers_are_shown_as_they_were_written(number, text):
             ask(number)
         message = str(raised.value)
         assert raised.value.place == place and message.startswith(place) and f" {text} is outside [0, " in message, message
-    for place, ask in (("s", path.parameter_at), ("s", smooth.parameter_at), ("ts[1]", lambda x: path.points([0, x], by="arc_length")),
-                       ("ts[1]", lambda x: smooth.frames([0, x], by="arc_length"))):
+    for place, ask in (("s", path.parameter_at), ("s", smooth.parameter_at), ("ts[1]", lambda x: path.points([0, x], by="arc-length")),
+                       ("ts[1]", lambda x: smooth.frames([0, x], by="arc-length"))):
         with pytest.raises(phrame.DomainError) as raised:
             ask(100000 + number if isinstance(number, float) and number > 0 else "-100000.5")
         assert raised.value.place == place and str(raised.value).startswith(place + ": ") and " is outside [0, " in str(raised.value)

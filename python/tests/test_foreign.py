@@ -462,3 +462,106 @@ def test_rows_without_numbers_are_skipped_and_curves_picked_on_request():
     with pytest.warns(UserWarning, match="natural cubic spline"):
         picked = phrame.parse("v 0 0 0\nv 1 2 3\nv 5 5 5\no a\nl 1 2\no b\nl 2 3\n", pick="b")
     assert picked.name == "b"
+
+
+def _same_points(path, points, at, by="native"):
+    np.testing.assert_allclose(path.points(at, by=by), points, rtol=1e-14, atol=1e-14)
+
+
+def test_curves_of_scipy():
+    interpolate = pytest.importorskip("scipy.interpolate")
+    ts = np.linspace(0, 5, 9)
+    spline = interpolate.make_interp_spline(ts, np.transpose([np.cos(ts), np.sin(2 * ts), ts]), k=3)
+    us = np.linspace(0, 5, 6)
+    _same_points(phrame.Path.of(spline), spline(us), us)
+
+
+def test_curves_of_splipy():
+    factory = pytest.importorskip("splipy.curve_factory")
+    for curve in (factory.circle(2), factory.circle_segment(1.2, 3), factory.cubic_curve(np.array([[0.0, 0, 0], [1, 2, 0], [3, 1, 1], [4, 4, 2]]))):
+        path = phrame.Path.of(curve)
+        us = np.linspace(curve.start(0), curve.end(0), 7)
+        _same_points(path, [[*p, *[0] * (3 - len(p))] for p in (curve(float(u)) for u in us[:-1])], us[:-1])
+        assert path.is_closed == bool(curve.periodic())
+
+
+def test_curves_of_geomdl():
+    geomdl = pytest.importorskip("geomdl.NURBS")
+    curve = geomdl.Curve()
+    curve.degree = 2
+    curve.ctrlpts = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
+    curve.weights = [1, 2, 1, 0.5]
+    curve.knotvector = [0, 0, 0, 0.3, 1, 1, 1]
+    _same_points(phrame.Path.of(curve), curve.evaluate_list([0, 0.1, 0.3, 0.7, 1]), [0, 0.1, 0.3, 0.7, 1])
+    surfaces = pytest.importorskip("geomdl.BSpline")
+    with pytest.raises(phrame.InputError, match="a Surface of geomdl is no curve"):
+        phrame.Path.of(surfaces.Surface())
+
+
+def test_curves_of_rhino3dm():
+    rhino = pytest.importorskip("rhino3dm")
+    for curve in (rhino.NurbsCurve.Create(False, 3, [rhino.Point3d(*p) for p in ([0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2], [5, 5, 5])]),
+                  rhino.Circle(2).ToNurbsCurve(), rhino.LineCurve(rhino.Point3d(0, 0, 1), rhino.Point3d(1, 2, 3))):
+        low, high = curve.Domain.T0, curve.Domain.T1
+        us = np.linspace(low, high, 6)
+        points = [(p.X, p.Y, p.Z) for p in (curve.PointAt(float(u)) for u in us)]
+        np.testing.assert_allclose(phrame.Path.of(curve).points(us, by="native"), points, rtol=1e-12, atol=1e-12)
+
+
+def test_curves_of_ezdxf():
+    ezdxf = pytest.importorskip("ezdxf")
+    from ezdxf.math import BSpline
+
+    spline = BSpline([(0, 0, 0), (1, 2, 0), (3, 0, 1), (4, 1, 2), (5, 5, 5)], order=4, weights=[1, 2, 1, 1, 1])
+    space = ezdxf.new().modelspace()
+    entity = space.add_spline()
+    entity.apply_construction_tool(spline)
+    us = np.linspace(0, spline.max_t, 6)
+    for curve in (spline, entity):
+        _same_points(phrame.Path.of(curve), [tuple(p) for p in spline.points(us)], us)
+    half = phrame.Path.of(space.add_lwpolyline([(0, 0, 1), (4, 0, 0)], format="xyb"))
+    assert half.points([1]).tolist() == [[2, -2, 0]] and float(half.length) == 2 * np.pi
+
+
+def test_polylines_of_shapely_trimesh_and_pyvista():
+    points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 0.0, 1.0], [4.0, 1.0, 2.0]]
+    wanted = phrame.Path.polyline(points)
+    assert wanted.corners == (1, 2) and wanted.end == 3
+    geometry = pytest.importorskip("shapely.geometry")
+    assert phrame.Path.of(geometry.LineString(points)) == wanted
+    assert phrame.Path.of(geometry.LinearRing(points)) == phrame.Path.polyline(points, closed=True)
+    with pytest.raises(phrame.InputError, match="a Polygon is no curve"):
+        phrame.Path.of(geometry.Polygon(points))
+    trimesh = pytest.importorskip("trimesh")
+    assert phrame.Path.of(trimesh.load_path(np.array(points))) == wanted
+    pyvista = pytest.importorskip("pyvista")
+    assert phrame.Path.of(pyvista.lines_from_points(np.array(points)).strip()).points([0, 1, 2, 3]).tolist() == points
+
+
+def test_tables_give_columns_by_name():
+    """x, y and z in another order; never transposed."""
+    rows = {"z": [0.0, 1.0, 2.0], "x": [0.0, 2.0, 5.0], "y": [0.0, 1.0, -1.0]}
+    wanted = phrame.Path.polyline([[0, 0, 0], [2, 1, 1], [5, -1, 2]])
+    pandas = pytest.importorskip("pandas")
+    assert phrame.Path.polyline(pandas.DataFrame(rows)) == wanted
+    polars = pytest.importorskip("polars")
+    assert phrame.Path.polyline(polars.DataFrame(rows)) == wanted
+    arrow = pytest.importorskip("pyarrow")
+    assert phrame.Path.polyline(arrow.table(rows)) == wanted
+    xarray = pytest.importorskip("xarray")
+    assert phrame.Path.polyline(xarray.Dataset({name: ("k", column) for name, column in rows.items()})) == wanted
+    assert phrame.Path.polyline(xarray.DataArray([[0.0, 0, 0], [2, 1, 1], [5, -1, 2]], dims=("k", "c"))) == wanted
+
+
+def test_curves_with_units_are_refused():
+    pint = pytest.importorskip("pint")
+    with pytest.raises((phrame.InputError, TypeError)):
+        phrame.Path.polyline(np.array([[0.0, 0, 0], [1, 2, 3]]) * pint.UnitRegistry().mm)
+    units = pytest.importorskip("astropy.units")
+    with pytest.raises((phrame.InputError, TypeError)):
+        phrame.Path.polyline(np.array([[0.0, 0, 0], [1, 2, 3]]) * units.mm)
+
+
+def test_what_is_no_curve_of_another_package_is_refused():
+    with pytest.raises(TypeError, match="a curve of one of scipy.interpolate, splipy, .* is wanted, not int"):
+        phrame.Path.of(3)

@@ -7,8 +7,12 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/bspline_node.hpp"
 #include "phrame/io/read/curve_node.hpp"
+#include "phrame/io/read/dxf_file.hpp"
 #include "phrame/io/read/frame_node.hpp"
+#include "phrame/io/read/g2_file.hpp"
+#include "phrame/io/read/gcode_file.hpp"
 #include "phrame/io/read/geomdl_file.hpp"
+#include "phrame/io/read/gltf_file.hpp"
 #include "phrame/io/read/godot_file.hpp"
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
@@ -78,6 +82,7 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
     refuse_long_numbers(node);
     return path_of_points(read_three_scene(node, limits, reading), limits);
   }
+  if (is_gltf_file(node)) return path_of_points(read_gltf(node, reading), limits);
   reading.refuse_picking("one curve");
   if (is_scipy_curve(node)) {
     refuse_long_numbers(node);
@@ -154,6 +159,17 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
   std::string_view content = text;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+  if (is_glb_file(content)) {
+    reading.refuse_skipping("an animation");
+    return path_of_points(read_glb(content, reading), limits);
+  }
+  if (is_gcode_file(content)) return path_of_points(read_gcode(text, reading), limits);
+  if (is_g2_file(content)) {
+    reading.refuse_skipping("a curve in G2");
+    reading.refuse_picking("a curve in G2");
+    return path_of("", read_g2(text, limits), limits.gap);
+  }
+  if (is_dxf_file(content)) return path_of_points(read_dxf(text, reading, limits), limits);
   const bool is_path = is_path_data(text);
   if (is_godot_file(content)) {
     reading.refuse_skipping("a Bézier curve of Godot");
@@ -168,8 +184,9 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
   }
   if (content.starts_with('<') || is_path) {
     reading.refuse_skipping("an SVG path");
+    if (!is_path) return path_of_points(read_svg(text, reading), limits);
     reading.refuse_picking("an SVG path");
-    return path_of("", is_path ? read_path_data(text, 0, text.size()) : read_svg(text), limits.gap);
+    return path_of("", read_path_data(text, 0, text.size()), limits.gap);
   }
   return read_json_path(text, limits, reading);  // which says what it begins with, if not JSON
 }

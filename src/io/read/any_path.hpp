@@ -12,7 +12,7 @@ namespace phrame {
 ///   spline/1, `segments` of these, of bspline/1 and nurbs/1;
 ///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text,
 ///   NumPy or JSON; JSON of geomdl, three.js and SciPy; curves of Godot, polylines of OBJ and PLY;
-///   SVG files and path data.
+///   SVG files and path data; G-code and APT; DXF; G2; animations in glTF.
 /// A path all of whose segments are PH is read as that, with the same PhPath as read_path(), so
 /// that it is answered exactly. Throws InputError; its place is a JSON pointer, line:column, "line
 /// 3" or "row 3".

@@ -4,19 +4,10 @@
 #include "phrame/io/read/joints.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/exact_vector.hpp"
-#include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
 namespace phrame {
 namespace {
-
-/// A constant, exact where its form shows a fraction.
-Real value_of(const Formula& f) {
-  FormulaProgram program;
-  const auto value = program.insert(f, program.number(0));
-  if (const Rational* x = program.rational(value)) return *x;
-  return Real([f](long bits) { return constant_value(f, bits + 8); });
-}
 
 /// A PH curve where it is one; what the segment is is taken from it.
 Segment taken_curve(GivenSegment& segment) {
@@ -78,7 +69,7 @@ namespace {
 std::vector<Real> parameters_of(const std::vector<GivenSegment>& segments) {
   if (const auto* curve = std::get_if<ExpressionCurve>(&segments.front().form);
       curve != nullptr && segments.size() == 1)
-    return {value_of(curve->from()), value_of(curve->to())};
+    return formula_parameters(*curve);
   std::vector<Real> joints;
   for (const GivenSegment& segment : segments) {
     if (!segment.parameters) return {};

@@ -8,9 +8,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
+#include "phrame/io/read/curve_choice.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/svg_number.hpp"
 #include "phrame/io/read/svg_path.hpp"
+#include "phrame/io/read/svg_shape.hpp"
 
 namespace phrame {
 namespace {
@@ -29,13 +31,7 @@ PlaneMap composed(const PlaneMap& outer, const PlaneMap& inner) {
 
 PlaneMap translation(const Rational& x, const Rational& y) { return {{1, 0}, {0, 1}, {x, y}}; }
 
-/// A piece of the text, in quotation marks there.
-struct SvgAttribute {
-  std::size_t begin;
-  std::size_t end;
-};
-
-/// One of matrix, translate, scale and rotate.
+/// One of matrix, translate, scale, rotate, skewX and skewY.
 PlaneMap read_transform_function(SvgNumbers& in) {
   const std::string place = in.place();
   const std::string_view name = in.take_word();
@@ -54,9 +50,19 @@ PlaneMap read_transform_function(SvgNumbers& in) {
     if (n == 1) return turn;
     return composed(translation(x[1], x[2]), composed(turn, translation(-x[1], -x[2])));
   }
+  if ((name == "skewX" || name == "skewY") && n == 1) {
+    // Of fractions of degrees only those of 45° have a rational tangent.
+    const Rational eighths = x[0] / 45;
+    const auto [c, s] = rotation_by_degrees(x[0]);
+    if (c == 0) in.fail("an angle with a tangent");
+    Rational slope = s / c;
+    if (denominator(eighths) == 1) slope = floor(slope + Rational(1, 2));
+    return name == "skewX" ? PlaneMap{{1, 0}, {slope, 1}, {0, 0}}
+                           : PlaneMap{{1, slope}, {0, 1}, {0, 0}};
+  }
   throw InputError(
-      place, fmt::format("the transformation {} of {} is not applied; matrix, translate, scale and "
-                         "rotate are",
+      place, fmt::format("the transformation {} of {} is not applied; matrix, translate, scale, "
+                         "rotate, skewX and skewY are",
                          abbreviated(name), n == 1 ? "1 number" : fmt::format("{} numbers", n)));
 }
 
@@ -82,24 +88,41 @@ struct SvgElement {
   bool is_drawn;
 };
 
-struct SvgPath {
-  SvgAttribute data;
+/// A path or a shape.
+struct SvgDrawn {
+  std::string_view element;  ///< "path", "rect", …
+  std::vector<std::pair<std::string_view, SvgAttribute>> attributes;
   PlaneMap map;
+  std::size_t at;  ///< where it begins
+
+  std::optional<SvgAttribute> attribute(std::string_view name) const {
+    for (const auto& [known, value] : attributes)
+      if (known == name) return value;
+    return std::nullopt;
+  }
 };
+
+/// Without a prefix, as that of svg:path.
+std::string_view local_name(std::string_view name) {
+  return name.substr(name.rfind(':') == std::string_view::npos ? 0 : name.rfind(':') + 1);
+}
 
 /// Reads tags, and nothing of the text between them.
 class SvgReader {
  public:
-  SvgReader(std::string_view text, bool wants_one) : text_(text), wants_one_(wants_one) {}
+  explicit SvgReader(std::string_view text) : text_(text) {}
 
-  /// The paths, at least one.
-  const std::vector<SvgPath>& read() {
+  /// The paths and shapes, at least one.
+  const std::vector<SvgDrawn>& read() {
     while ((at_ = text_.find('<', at_)) != std::string_view::npos) read_tag();
     if (!has_svg_) fail(0, "this is no SVG file");
     if (!open_.empty())
       fail(text_.size(), fmt::format("<{}> is not closed", abbreviated(open_.back().name)));
-    if (paths_.empty()) fail(text_.size(), "the file draws no <path>");
-    return paths_;
+    if (drawn_.empty())
+      fail(text_.size(),
+           fmt::format("the file draws no path and no shape{}",
+                       has_use_ ? "; what <use> draws is not followed: unlink the clones" : ""));
+    return drawn_;
   }
 
  private:
@@ -119,14 +142,12 @@ class SvgReader {
   std::string_view take_name();
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
   std::optional<SvgAttribute> take_value();
-  void add_path(const SvgAttribute& data, const SvgElement& element, std::size_t at);
-
   std::string_view text_;
   std::size_t at_ = 0;
   bool has_svg_ = false;
   std::vector<SvgElement> open_;
-  bool wants_one_;
-  std::vector<SvgPath> paths_;
+  bool has_use_ = false;
+  std::vector<SvgDrawn> drawn_;
 };
 
 void SvgReader::read_tag() {
@@ -185,15 +206,18 @@ void SvgReader::read_element() {
   }
   if (std::find(not_drawn.begin(), not_drawn.end(), element.name) != not_drawn.end())
     element.is_drawn = false;
-  const bool is_path = element.name == "path" || element.name.ends_with(":path");
-  std::optional<SvgAttribute> data;
+  const std::string_view local = local_name(element.name);
+  has_use_ = has_use_ || local == "use";
+  SvgDrawn drawn{local, {}, {}, first};
   for (;;) {
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
     const bool is_empty = rest.starts_with("/>");
     if (is_empty || rest.starts_with(">")) {
       at_ += is_empty ? 2 : 1;
-      if (is_path && element.is_drawn && data) add_path(*data, element, first);
+      drawn.map = element.map;
+      const bool is_path = local == "path" && drawn.attribute("d");
+      if ((is_path || is_svg_shape(local)) && element.is_drawn) drawn_.push_back(drawn);
       if (!is_empty && open_.size() == deepest)
         fail(first, fmt::format("the elements are nested deeper than {}", deepest));
       if (!is_empty) open_.push_back(std::move(element));
@@ -207,30 +231,75 @@ void SvgReader::read_element() {
                                 abbreviated(element.name)));
     if (name == "transform" && element.is_drawn)
       element.map = read_transform(element.map, text_, *value);
-    if (name == "d") data = *value;
+    const std::string_view said = text_.substr(value->begin, value->end - value->begin);
+    if ((name == "display" && said == "none") ||
+        (name == "style" && said.find("display:none") != std::string_view::npos))
+      element.is_drawn = false;
+    drawn.attributes.emplace_back(name, *value);
   }
 }
 
-void SvgReader::add_path(const SvgAttribute& data, const SvgElement& element, std::size_t at) {
-  if (wants_one_ && !paths_.empty())
-    fail(at, "a second <path>; one curve is wanted (its \"d\" alone is read, too)");
-  paths_.push_back({data, element.map});
+/// Of a path all subpaths, or the only one.
+std::vector<std::vector<GivenSegment>> svg_outlines(std::string_view text, const SvgDrawn& drawn,
+                                                    bool wants_one) {
+  if (drawn.element != "path") {
+    auto outline = read_svg_shape(
+        drawn.element, text, [&](std::string_view name) { return drawn.attribute(name); },
+        drawn.map, line_and_column(text, drawn.at + 1));
+    if (outline.empty()) return {};
+    return {std::move(outline)};
+  }
+  const auto [begin, end] = drawn.attribute("d").value();
+  if (wants_one) return {read_path_data(text, begin, end, drawn.map)};
+  return read_subpaths(text, begin, end, drawn.map);
+}
+
+/// A shape without a size. What cannot be read is something.
+bool is_nothing(std::string_view text, const SvgDrawn& drawn) {
+  if (drawn.element == "path") return false;
+  try {
+    return svg_outlines(text, drawn, true).empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+CurveLabel svg_label(std::string_view text, const SvgDrawn& drawn) {
+  const auto said = [&](std::string_view name) {
+    const auto found = drawn.attribute(name);
+    return found ? std::string(text.substr(found->begin, found->end - found->begin)) : "";
+  };
+  CurveLabel label{said("inkscape:label"), said("id")};
+  if (label.shown().empty()) label.id = line_and_column(text, drawn.at + 1);
+  return label;
 }
 
 }  // namespace
 
-std::vector<GivenSegment> read_svg(std::string_view text) {
-  SvgReader reader(text, true);
-  const auto& [data, map] = reader.read().front();
-  return read_path_data(text, data.begin, data.end, map);
+PointCurve read_svg(std::string_view text, const FileReading& reading) {
+  SvgReader reader(text);
+  std::vector<SvgDrawn> drawn = reader.read();
+  std::erase_if(drawn, [&](const SvgDrawn& one) { return is_nothing(text, one); });
+  if (drawn.empty())
+    throw InputError(line_and_column(text, text.size() + 1), "the file draws no path and no shape");
+  std::vector<CurveLabel> labels;
+  for (const SvgDrawn& one : drawn) labels.push_back(svg_label(text, one));
+  const std::size_t at = [&] {
+    try {
+      return chosen_curve(labels, reading.pick);
+    } catch (const InputError& error) {
+      const std::size_t second = drawn[std::min<std::size_t>(1, drawn.size() - 1)].at;
+      throw InputError(line_and_column(text, second + 1), error.reason());
+    }
+  }();
+  return {labels[at].name, svg_outlines(text, drawn[at], true).front()};
 }
 
 std::vector<std::vector<GivenSegment>> read_svg_subpaths(std::string_view text) {
-  SvgReader reader(text, false);
+  SvgReader reader(text);
   std::vector<std::vector<GivenSegment>> all;
-  for (const auto& [data, map] : reader.read())
-    for (auto& subpath : read_subpaths(text, data.begin, data.end, map))
-      all.push_back(std::move(subpath));
+  for (const SvgDrawn& one : reader.read())
+    for (auto& subpath : svg_outlines(text, one, false)) all.push_back(std::move(subpath));
   return all;
 }
 

@@ -49,6 +49,14 @@ class DerivativeValues {
   Refined<Vector<RealBall>> known_;
 };
 
+/// A constant, exact where its form shows a fraction.
+Real value_of(const Formula& f) {
+  FormulaProgram program;
+  const auto value = program.insert(f, program.number(0));
+  if (const Rational* x = program.rational(value)) return *x;
+  return Real([f](long bits) { return constant_value(f, bits + 8); });
+}
+
 /// v or −v, with this sign.
 Vector<Real> with_sign(int sign, const Vector<Real>& v) {
   return sign < 0 ? Vector<Real>{-v[0], -v[1], -v[2]} : v;
@@ -79,6 +87,10 @@ std::string range_text(const Real& from, const Real& to) {
 }
 
 }  // namespace
+
+std::vector<Real> formula_parameters(const ExpressionCurve& curve) {
+  return {value_of(curve.from()), value_of(curve.to())};
+}
 
 Place native_place(const NamedPath& named, const Rational& x) {
   const std::vector<Real>& joints = named.parameters;

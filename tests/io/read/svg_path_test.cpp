@@ -95,12 +95,12 @@ TEST_CASE("what is no path is refused at its line and column") {
   CHECK(refusal("M0 0 L1e999999999 0").starts_with("1:7: "));
   CHECK(refusal("M0 0 Lnan 0") == "1:7: a number is expected, not \"nan\"");
   CHECK(refusal(svg("<path d=\"L1 1\"/>")) == "5:10: a path begins with a moveto, M");
-  CHECK(refusal(svg("<rect/>")) == "7:1: the file draws no <path>");
+  CHECK(refusal(svg("<rect/>")) == "7:1: the file draws no path and no shape");
   CHECK(refusal(svg("<path d='M0 0L1 1'/>\n<path d='M0 0L1 1'/>")) ==
-        "6:1: a second <path>; one curve is wanted (its \"d\" alone is read, too)");
-  CHECK(refusal(svg("<g transform='skewX(3)'><path d='M0 0L1 1'/></g>")) ==
-        "5:15: the transformation skewX of 1 number is not applied; matrix, translate, scale and "
-        "rotate are");
+        "6:1: there are 2 curves, and --pick names one: 5:1, 6:1");
+  CHECK(refusal(svg("<g transform='skewX(3 4)'><path d='M0 0L1 1'/></g>")) ==
+        "5:15: the transformation skewX of 2 numbers is not applied; matrix, translate, scale, "
+        "rotate, skewX and skewY are");
   // Each turn makes them longer: 10⁵ of them took minutes.
   const auto repeated = [](const std::string& transform, int times) {
     std::string all;

@@ -1,0 +1,454 @@
+// A DXF file is a list of pairs, a group code in one line and its value in the next [AutoCAD DXF
+// Reference]. The code 0 begins an entity.
+//
+// An arc from p to q with the bulge b, the tangent of a quarter of its angle, has the middle
+// m = (p + q)/2 + b/2·n, n the chord q − p turned to the right. The tangents at p and m points_meet
+// in m − (1 + b²)/4·(q − p), and of each half, which has the angle 4 arctan b/2, the weights are 1,
+// 1, 1 + b², since cos² arctan b = 1/(1 + b²). So it is a curve over ℚ.
+#include "phrame/io/read/dxf_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/curve_choice.hpp"
+#include "phrame/io/read/number.hpp"
+#include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/ellipse_arc.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame {
+namespace {
+
+struct DxfGroup {
+  int code;
+  std::string_view value;
+  long line;  ///< of the value
+};
+
+std::string in_dxf_line(long line) { return fmt::format("line {}", line); }
+
+std::vector<DxfGroup> read_dxf_groups(std::string_view text) {
+  std::vector<DxfGroup> groups;
+  long number = 0;
+  const auto next = [&] {
+    const auto end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++number;
+    return line;
+  };
+  while (!text.empty()) {
+    const std::string_view code = next();
+    if (code.empty() && text.empty()) break;
+    int value = 0;
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), value);
+    if (error != std::errc() || end != code.data() + code.size())
+      throw InputError(in_dxf_line(number),
+                       fmt::format("a group code is expected, not \"{}\"", abbreviated(code)));
+    if (value == 999) {
+      next();
+      continue;
+    }
+    const std::string_view said = next();
+    groups.push_back({value, said, number});
+  }
+  return groups;
+}
+
+Rational group_number(const DxfGroup& group) {
+  try {
+    return parse_short_number(group.value);
+  } catch (const InputError& error) {
+    throw InputError(in_dxf_line(group.line), error.reason());
+  }
+}
+
+/// The groups from one code 0 to the next.
+struct DxfEntity {
+  std::string_view type;
+  std::vector<DxfGroup> groups;
+  long line;
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw InputError(in_dxf_line(line), fmt::format("{}: {}", type, reason));
+  }
+  const DxfGroup* find(int code) const {
+    const auto found = std::ranges::find(groups, code, &DxfGroup::code);
+    return found == groups.end() ? nullptr : &*found;
+  }
+  std::string text(int code) const {
+    const DxfGroup* found = find(code);
+    return found == nullptr ? "" : std::string(found->value);
+  }
+  Rational number(int code, const std::optional<Rational>& otherwise = {}) const {
+    const DxfGroup* found = find(code);
+    if (found != nullptr) return group_number(*found);
+    if (!otherwise) fail(fmt::format("the group {} is missing", code));
+    return *otherwise;
+  }
+  long flags(int code) const {
+    const Rational x = number(code, Rational(0));
+    if (denominator(x) != 1 || x < 0 || x > 1'000'000)
+      fail(fmt::format("the group {} is no small number", code));
+    return static_cast<long>(numerator(x));
+  }
+  /// Codes `code`, `code` + 10 and `code` + 20; z may be missing.
+  Vector<Rational> point(int code) const {
+    return {number(code), number(code + 10), number(code + 20, Rational(0))};
+  }
+};
+
+/// DxfPieces from a start to an end.
+using DxfPieces = std::vector<RationalBezier>;
+
+const Vector<Rational>& first_point(const DxfPieces& pieces) {
+  return pieces.front().points.front();
+}
+const Vector<Rational>& last_point(const DxfPieces& pieces) { return pieces.back().points.back(); }
+
+void turn_back(DxfPieces& pieces) {
+  std::ranges::reverse(pieces);
+  for (RationalBezier& piece : pieces) {
+    std::ranges::reverse(piece.points);
+    std::ranges::reverse(piece.weights);
+  }
+}
+
+/// −1 where x is mirrored_pieces: the extrusion is along −z.
+int sense_of(const DxfEntity& entity) {
+  const Vector<Rational> n{entity.number(210, Rational(0)), entity.number(220, Rational(0)),
+                           entity.number(230, Rational(1))};
+  if (n[0] != 0 || n[1] != 0 || n[2] == 0) entity.fail("only extrusions along z and −z are read");
+  return n[2] < 0 ? -1 : 1;
+}
+
+DxfPieces mirrored_pieces(DxfPieces pieces, int sense) {
+  if (sense < 0)
+    for (RationalBezier& piece : pieces)
+      for (Vector<Rational>& p : piece.points) p = {-p[0], p[1], -p[2]};
+  return pieces;
+}
+
+DxfPieces lifted_pieces(DxfPieces pieces, const Rational& z) {
+  for (RationalBezier& piece : pieces)
+    for (Vector<Rational>& p : piece.points) p[2] = z;
+  return pieces;
+}
+
+DxfPieces circle_of(const DxfEntity& entity) {
+  const Vector<Rational> center = entity.point(10);
+  const Rational r = entity.number(40);
+  if (r <= 0) entity.fail("the radius is not > 0");
+  PlaneVector from{1, 0};
+  PlaneVector to{1, 0};
+  if (entity.type == "ARC") {
+    from = rotation_by_degrees(entity.number(50));
+    to = rotation_by_degrees(entity.number(51));
+  }
+  const Ellipse circle{{center[0], center[1]}, {r, 0}, {0, r}};
+  return mirrored_pieces(lifted_pieces(ellipse_arc(circle, from, to, true), center[2]),
+                         sense_of(entity));
+}
+
+/// Its center and axis are in space, whatever the extrusion is.
+DxfPieces ellipse_of(const DxfEntity& entity) {
+  const Vector<Rational> center = entity.point(10);
+  const Vector<Rational> a = entity.point(11);
+  if (a[2] != 0) entity.fail("only ellipses in planes across z are read");
+  const Rational ratio = entity.number(40) * sense_of(entity);
+  if (ratio == 0) entity.fail("the ratio of the axes is 0");
+  const Rational first = entity.number(41, Rational(0));
+  const DxfGroup* last = entity.find(42);
+  PlaneVector from = rotation_by_radians(first);
+  PlaneVector to = from;
+  // 2π is rounded somehow.
+  if (last != nullptr &&
+      std::abs(round_to_double(group_number(*last) - first) - 2 * std::acos(-1.0)) > 1e-6)
+    to = rotation_by_radians(group_number(*last));
+  const Ellipse ellipse{{center[0], center[1]}, {a[0], a[1]}, {-ratio * a[1], ratio * a[0]}};
+  return lifted_pieces(ellipse_arc(ellipse, from, to, true), center[2]);
+}
+
+/// A vertex of a polyline, and the bulge behind it.
+struct DxfVertex {
+  Vector<Rational> point;
+  Rational bulge;
+};
+
+void add_bulged(DxfPieces& pieces, const DxfVertex& from, const Vector<Rational>& q) {
+  const Vector<Rational>& p = from.point;
+  const Rational& b = from.bulge;
+  if (p == q) return;
+  if (b == 0) {
+    pieces.push_back({{p, q}});
+    return;
+  }
+  const Vector<Rational> d = q - p;
+  const Vector<Rational> right{d[1], -d[0], 0};
+  const Vector<Rational> middle = Rational(1, 2) * (p + q) + b / 2 * right;
+  const Vector<Rational> way = (1 + b * b) / 4 * d;
+  pieces.push_back({{p, middle - way, middle}, {1, 1, 1 + b * b}});
+  pieces.push_back({{middle, middle + way, q}, {1 + b * b, 1, 1}});
+}
+
+DxfPieces polyline_of(std::vector<DxfVertex> vertices, bool is_closed) {
+  if (is_closed && !vertices.empty()) vertices.push_back({vertices.front().point, 0});
+  DxfPieces pieces;
+  for (std::size_t k = 1; k < vertices.size(); ++k)
+    add_bulged(pieces, vertices[k - 1], vertices[k].point);
+  return pieces;
+}
+
+DxfPieces light_polyline_of(const DxfEntity& entity) {
+  const Rational z = entity.number(38, Rational(0));
+  std::vector<DxfVertex> vertices;
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == 10) vertices.push_back({{group_number(group), 0, z}, 0});
+    if (vertices.empty()) continue;
+    if (group.code == 20) vertices.back().point[1] = group_number(group);
+    if (group.code == 42) vertices.back().bulge = group_number(group);
+  }
+  return mirrored_pieces(polyline_of(std::move(vertices), (entity.flags(70) & 1) != 0),
+                         sense_of(entity));
+}
+
+/// Of POLYLINE, whose vertices are entities behind it.
+DxfPieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices) {
+  const long flags = entity.flags(70);
+  if ((flags & (16 | 64)) != 0) entity.fail("a mesh is no curve");
+  const bool is_of_space = (flags & 8) != 0;
+  std::vector<DxfVertex> found;
+  for (const DxfEntity& vertex : vertices) {
+    if ((vertex.flags(70) & 16) != 0) continue;  // a control point of the curve that was fitted
+    found.push_back({vertex.point(10), is_of_space ? Rational(0) : vertex.number(42, Rational(0))});
+  }
+  DxfPieces pieces = polyline_of(std::move(found), (flags & 1) != 0);
+  return is_of_space ? pieces : mirrored_pieces(std::move(pieces), sense_of(entity));
+}
+
+/// With the knots where the pieces begin, and the last.
+DxfPieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
+                    std::vector<Rational>& knots) {
+  BSpline spline;
+  spline.degree = entity.flags(71);
+  if (spline.degree < 1 || spline.degree > limits.max_degree)
+    entity.fail(
+        fmt::format("the degree {} is not between 1 and {}", spline.degree, limits.max_degree));
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == 40) spline.knots.push_back(group_number(group));
+    if (group.code == 41) spline.weights.push_back(group_number(group));
+    if (group.code == 10) spline.points.push_back({group_number(group), 0, 0});
+    if (spline.points.empty()) continue;
+    if (group.code == 20) spline.points.back()[1] = group_number(group);
+    if (group.code == 30) spline.points.back()[2] = group_number(group);
+  }
+  if (spline.points.empty())
+    entity.fail("the spline has fit points only: its control points are wanted");
+  if (const auto fault = fault_of(spline)) entity.fail(fault->reason);
+  DxfPieces pieces;
+  for (BezierPiece& piece : bezier_pieces(spline)) {
+    if (knots.empty()) knots.push_back(piece.lower);
+    knots.push_back(piece.upper);
+    pieces.push_back(std::move(piece.curve));
+  }
+  return pieces;
+}
+
+/// What an entity draws; no value for one that is no curve.
+std::optional<DxfPieces> pieces_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices,
+                                   const CurveLimits& limits, std::vector<Rational>& knots) {
+  if (entity.type == "LINE") return DxfPieces{{{entity.point(10), entity.point(11)}}};
+  if (entity.type == "ARC" || entity.type == "CIRCLE") return circle_of(entity);
+  if (entity.type == "ELLIPSE") return ellipse_of(entity);
+  if (entity.type == "LWPOLYLINE") return light_polyline_of(entity);
+  if (entity.type == "POLYLINE") return old_polyline_of(entity, vertices);
+  if (entity.type == "SPLINE") return spline_of(entity, limits, knots);
+  return std::nullopt;
+}
+
+/// Entities that points_meet.
+struct DrawnChain {
+  DxfPieces pieces;
+  std::vector<Rational> knots = {};  ///< of one spline, where the pieces begin, and the last
+  std::vector<long> lines = {};      ///< of each piece, the line of its entity
+  std::string layer = {};
+  std::vector<std::string> handles = {};
+};
+
+/// Are they the same but for what rounding of such coordinates leaves?
+bool points_meet(const Vector<Rational>& p, const Vector<Rational>& q) {
+  if (p == q) return true;
+  Rational size = 1;
+  Rational distance = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    size = std::max({size, Rational(abs(p[k])), Rational(abs(q[k]))});
+    distance = std::max(distance, Rational(abs(p[k] - q[k])));
+  }
+  return distance * 1'000'000'000 <= size;
+}
+
+void turn_back(DrawnChain& chain) {
+  turn_back(chain.pieces);
+  std::ranges::reverse(chain.lines);
+}
+
+/// Puts `next` of the same layer behind the chain, or before it, where ends of them meet.
+bool join_chains(DrawnChain& chain, DrawnChain& next) {
+  if (chain.layer != next.layer || points_meet(first_point(chain.pieces), last_point(chain.pieces)))
+    return false;
+  if (points_meet(last_point(chain.pieces), last_point(next.pieces)) &&
+      !points_meet(last_point(chain.pieces), first_point(next.pieces)))
+    turn_back(next);
+  if (points_meet(first_point(chain.pieces), first_point(next.pieces)) &&
+      !points_meet(last_point(chain.pieces), first_point(next.pieces)))
+    turn_back(next);
+  const bool is_behind = points_meet(last_point(chain.pieces), first_point(next.pieces));
+  if (!is_behind && !points_meet(last_point(next.pieces), first_point(chain.pieces))) return false;
+  chain.knots.clear();
+  next.knots.clear();
+  DrawnChain& first = is_behind ? chain : next;
+  DrawnChain& second = is_behind ? next : chain;
+  first.pieces.insert(first.pieces.end(), second.pieces.begin(), second.pieces.end());
+  first.lines.insert(first.lines.end(), second.lines.begin(), second.lines.end());
+  first.handles.insert(first.handles.end(), second.handles.begin(), second.handles.end());
+  if (!is_behind) chain = std::move(next);
+  return true;
+}
+
+/// Curves of entities that points_meet, each as long as it can be.
+std::vector<DrawnChain> chains_of_drawing(std::vector<DrawnChain> parts) {
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t j = k + 1; j < parts.size() && !has_grown; ++j)
+        if (!points_meet(first_point(parts[j].pieces), last_point(parts[j].pieces)) &&
+            join_chains(parts[k], parts[j])) {
+          parts.erase(parts.begin() + static_cast<long>(j));
+          has_grown = true;
+        }
+    }
+  return parts;
+}
+
+std::vector<DxfEntity> entities_of(std::string_view text) {
+  std::vector<DxfEntity> entities;
+  bool is_inside = false;
+  std::string_view section;
+  for (const DxfGroup& group : read_dxf_groups(text)) {
+    if (group.code == 0) {
+      if (group.value == "SECTION") section = "?";
+      if (group.value == "ENDSEC") is_inside = false;
+      if (is_inside) entities.push_back({group.value, {}, group.line});
+    } else if (group.code == 2 && section == "?") {
+      section = group.value;
+      is_inside = section == "ENTITIES";
+    } else if (is_inside && !entities.empty()) {
+      entities.back().groups.push_back(group);
+    }
+  }
+  return entities;
+}
+
+struct DxfDrawing {
+  std::vector<DrawnChain> parts;
+  std::map<std::string_view, int> skipped;  ///< entities that are no curves
+};
+
+DxfDrawing read_drawing(std::string_view text, const CurveLimits& limits) {
+  DxfDrawing drawing;
+  const std::vector<DxfEntity> entities = entities_of(text);
+  for (std::size_t k = 0; k < entities.size(); ++k) {
+    const DxfEntity& entity = entities[k];
+    if (entity.type == "VERTEX" || entity.type == "SEQEND") continue;
+    std::vector<DxfEntity> vertices;
+    for (std::size_t j = k + 1; j < entities.size() && entities[j].type == "VERTEX"; ++j)
+      vertices.push_back(entities[j]);
+    std::vector<Rational> knots;
+    auto pieces = pieces_of(entity, vertices, limits, knots);
+    if (!pieces) {
+      ++drawing.skipped[entity.type];
+      continue;
+    }
+    std::erase_if(*pieces, [](const RationalBezier& piece) {
+      return std::ranges::all_of(piece.points,
+                                 [&](const auto& p) { return p == piece.points.front(); });
+    });
+    if (pieces->empty()) continue;
+    DrawnChain chain{*std::move(pieces), std::move(knots)};
+    chain.lines.assign(chain.pieces.size(), entity.line);
+    chain.layer = entity.text(8);
+    chain.handles.push_back(entity.text(5));
+    drawing.parts.push_back(std::move(chain));
+  }
+  return drawing;
+}
+
+/// The layer, where it has one curve only, and a handle.
+std::vector<CurveLabel> drawn_labels(const std::vector<DrawnChain>& chains,
+                                     const std::string& pick) {
+  std::map<std::string, int> count;
+  for (const DrawnChain& chain : chains) ++count[chain.layer];
+  std::vector<CurveLabel> labels;
+  for (const DrawnChain& chain : chains) {
+    const bool is_picked = std::ranges::find(chain.handles, pick) != chain.handles.end();
+    const std::string& handle = is_picked ? pick : chain.handles.front();
+    labels.push_back({count[chain.layer] == 1 ? chain.layer : "",
+                      handle.empty() ? fmt::format("line {}", chain.lines.front()) : handle});
+  }
+  return labels;
+}
+
+}  // namespace
+
+bool is_dxf_file(std::string_view text) {
+  const auto take = [&] {
+    const auto end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line;
+  };
+  for (std::string_view code = take(); code == "999"; code = take()) take();
+  return text.size() > 0 && take() == "SECTION";
+}
+
+PointCurve read_dxf(std::string_view text, const FileReading& reading, const CurveLimits& limits) {
+  reading.refuse_skipping("a DXF file");
+  DxfDrawing drawing = read_drawing(text, limits);
+  const std::vector<DrawnChain> chains = chains_of_drawing(std::move(drawing.parts));
+  std::vector<std::string> skipped;
+  for (const auto& [type, count] : drawing.skipped)
+    skipped.push_back(count == 1 ? std::string(type) : fmt::format("{} {}", count, type));
+  if (chains.empty())
+    throw InputError(
+        "line 1",
+        fmt::format("there is no curve in the section ENTITIES{}",
+                    skipped.empty() ? "" : fmt::format(": it has {}", fmt::join(skipped, ", "))));
+  const std::size_t at = [&] {
+    try {
+      return chosen_curve(drawn_labels(chains, reading.pick), reading.pick);
+    } catch (const InputError& error) {
+      throw InputError(
+          in_dxf_line(chains[std::min<std::size_t>(1, chains.size() - 1)].lines.front()),
+          error.reason());
+    }
+  }();
+  PointCurve curve{"", {}};
+  const auto& [pieces, knots, lines, layer, handles] = chains[at];
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    curve.segments.push_back(
+        knots.size() == pieces.size() + 1
+            ? span_segment({pieces[k], knots[k], knots[k + 1]}, in_dxf_line(lines[k]))
+            : bezier_segment(pieces[k], in_dxf_line(lines[k])));
+  if (!skipped.empty())
+    curve.notes.push_back(fmt::format("left out are {}", fmt::join(skipped, ", ")));
+  return curve;
+}
+
+}  // namespace phrame

@@ -1,0 +1,234 @@
+"""Writes programs/ and programs.json: curves in files that other programs wrote, with points of them by those programs.
+
+python3 programs.py, with ezdxf, splipy, geomdl, scipy, trimesh, svgwrite, fullcontrol, mecode, pandas, polars, pyarrow, numpy; the
+tests do not run it. Each entry of programs.json has the file, what wrote it, how it is read (`pick`, `kind`), by which parameter
+(`by`) the points are at the numbers `at`, and the length where a program or a formula gives it.
+"""
+
+import importlib.metadata
+import json
+import math
+import pathlib
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).parent
+OUT = HERE / "programs"
+ENTRIES = []
+
+
+def version(package):
+    return f"{package} {importlib.metadata.version(package)}"
+
+
+def entry(file, program, points=(), at=(), by="t", **more):
+    """Points of one coordinate less than three lie in the plane z = 0."""
+    space = [[float(x) for x in p] + [0.0] * (3 - len(p)) for p in points]
+    ENTRIES.append({"file": file, "program": program, "by": by, "at": [float(x) for x in at], "points": space, **more})
+
+
+def with_ezdxf():
+    import ezdxf
+    from ezdxf.math import BSpline, ConstructionArc, bulge_to_arc
+
+    program = version("ezdxf")
+
+    def save(name, add, release="R2010"):
+        drawing = ezdxf.new(release)
+        add(drawing.modelspace())
+        drawing.saveas(OUT / name)
+
+    for release in ("R12", "R2000", "R2018"):
+        name = f"arc-{release}.dxf"
+        save(name, lambda m: m.add_arc((1, 2, 3), 2.5, 30, 200), release)
+        arc = ConstructionArc((1, 2), 2.5, 30, 200)
+        shares = [0, 0.25, 0.5, 1]
+        entry(name, program, [(*v, 3.0) for v in arc.vertices([30 + 170 * x for x in shares])], shares, "fraction",
+              length=2.5 * math.radians(170))
+    save("circle.dxf", lambda m: m.add_circle((0.1, 0.2), 3))
+    entry("circle.dxf", program, [(0.1 + 3 * math.cos(2 * math.pi * x), 0.2 + 3 * math.sin(2 * math.pi * x)) for x in (0, 0.3, 0.5)],
+          [0, 0.3, 0.5], "fraction", length=6 * math.pi)
+    vertices = [(0, 0, 0.5), (4, 0, 0), (4, 3, -0.25), (0, 3, 0)]
+    for release, polyline in (("R2010", "add_lwpolyline"), ("R12", "add_polyline2d")):
+        name = f"bulges-{release}.dxf"
+        save(name, lambda m, add=polyline: getattr(m, add)(vertices, format="xyb"), release)
+        length = 0
+        for (x, y, bulge), (u, v, _) in zip(vertices, vertices[1:]):
+            if bulge:
+                _, a, b, r = bulge_to_arc((x, y), (u, v), bulge)
+                length += r * ((b - a) % (2 * math.pi))
+            else:
+                length += math.hypot(u - x, v - y)
+        entry(name, program, [(0, 0), (0, 3)], [0, 1], "fraction", length=length)
+    ellipse = {}
+    save("ellipse.dxf", lambda m: ellipse.update(e=m.add_ellipse((1, 1, 2), (4, 1, 0), 0.5, 0.3, 2.1)))
+    entry("ellipse.dxf", program, [tuple(v) for v in ellipse["e"].vertices([0.3, 2.1])], [0, 1], "fraction")
+    points = [(0, 0, 0), (1, 2, 0), (3, 0, 1), (4, 1, 2), (5, 5, 5), (7, 5, 4)]
+    for name, spline in (("spline.dxf", BSpline(points, order=4)), ("nurbs.dxf", BSpline(points, order=4, weights=[1, 2, 1, 0.5, 1, 1]))):
+        def add(m, spline=spline):
+            m.add_spline().apply_construction_tool(spline)
+        save(name, add)
+        us = np.linspace(0, spline.max_t, 7)
+        entry(name, program, [tuple(p) for p in spline.points(us)], us, "native")
+    save("polyline3d.dxf", lambda m: m.add_polyline3d(points))
+    entry("polyline3d.dxf", program, points, range(6))
+
+    def pipe(m):
+        m.add_line((0, 0), (10, 0), dxfattribs={"layer": "pipe"})
+        m.add_line((15, 20), (15, 5), dxfattribs={"layer": "pipe"})
+        m.add_circle((0, 0), 1, dxfattribs={"layer": "hole"})
+        m.add_arc((10, 5), 5, -90, 0, dxfattribs={"layer": "pipe"})
+        m.add_text("pipe")
+
+    save("layers.dxf", pipe)
+    entry("layers.dxf", program, [(0, 0), (15, 20)], [0, 1], "fraction", pick="pipe", length=25 + 2.5 * math.pi)
+    entry("layers.dxf", program, [(1, 0)], [0], pick="hole", length=2 * math.pi)
+
+
+def with_splipy():
+    import splipy.curve_factory as factory
+    from splipy import BSplineBasis
+    from splipy.io import G2
+
+    points = np.array([[0, 0, 0], [1, 2, 0], [3, 1, 1], [4, 4, 2], [5, 5, 5]], dtype=float)
+    curves = {"circle": factory.circle(2), "segment": factory.circle_segment(1.2, 3), "line": factory.line((0, 0, 1), (2, 3, 5)),
+              "cubic": factory.cubic_curve(points), "polygon": factory.n_gon(5, 2),
+              "interpolated": factory.interpolate(points, BSplineBasis(4, [0, 0, 0, 0, 0.4, 1, 1, 1, 1]))}
+    for name, curve in curves.items():
+        if curve.periodic():
+            curve = curve.split(curve.start(0))
+        file = f"splipy-{name}.g2"
+        with G2(str(OUT / file)) as out:
+            out.write(curve)
+        us = np.linspace(curve.start(0), curve.end(0), 7)
+        entry(file, version("splipy"), [curve(float(u)) for u in us], us, "native")
+
+
+def with_geomdl():
+    from geomdl import BSpline, NURBS, exchange
+
+    for name, kind in (("bspline", BSpline), ("nurbs", NURBS)):
+        curve = kind.Curve()
+        curve.degree = 3
+        curve.ctrlpts = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2], [5, 5, 5]]
+        if name == "nurbs":
+            curve.weights = [1, 2, 1, 0.5, 1]
+        curve.knotvector = [0, 0, 0, 0, 0.3, 1, 1, 1, 1]
+        exchange.export_json(curve, str(OUT / f"geomdl-{name}.json"))
+        us = [0, 0.15, 0.3, 0.7, 1]
+        entry(f"geomdl-{name}.json", version("geomdl"), curve.evaluate_list(us), us, "native")
+
+
+def with_scipy():
+    from scipy.interpolate import CubicSpline, make_interp_spline, splev, splprep
+
+    ts = np.linspace(0, 5, 9)
+    points = np.transpose([np.cos(ts), np.sin(2 * ts), 0.3 * ts])
+    spline = make_interp_spline(ts, points, k=5)
+    us = np.linspace(0, 5, 7)
+    (OUT / "scipy-bspline.json").write_text(json.dumps({"t": spline.t.tolist(), "c": spline.c.tolist(), "k": int(spline.k)}))
+    entry("scipy-bspline.json", version("scipy"), spline(us), us, "native")
+    cubic = CubicSpline(ts, points)
+    (OUT / "scipy-cubic.json").write_text(json.dumps({"c": cubic.c.tolist(), "x": cubic.x.tolist()}))
+    entry("scipy-cubic.json", version("scipy"), cubic(us), us, "native")
+    ring = np.linspace(0, 2 * np.pi, 13)
+    (t, c, k), _ = splprep([np.cos(ring), np.sin(ring), 0.1 * np.cos(3 * ring)], s=0, per=True)
+    (OUT / "scipy-periodic.json").write_text(json.dumps([t.tolist(), [x.tolist() for x in c], int(k)]))
+    us = [0, 0.2, 0.5, 0.9]
+    entry("scipy-periodic.json", version("scipy"), np.transpose(splev(us, (t, c, k))), us, "native", closed=True)
+
+
+def with_tables():
+    import pandas
+    import polars
+    import pyarrow as arrow
+    import pyarrow.csv
+
+    rows = {"x": [0.0, 1.5, 3.25, 4.0], "y": [0.0, 2.0, 0.5, 1e-3], "z": [1.0, 1.0, 2.0, 5.0]}
+    points = list(zip(*rows.values()))
+    pandas.DataFrame(rows).to_csv(OUT / "pandas.csv")
+    pandas.DataFrame(rows).to_csv(OUT / "pandas-decimal-commas.csv", sep=";", decimal=",", index=False)
+    (OUT / "pandas-records.json").write_text(pandas.DataFrame(rows).to_json(orient="records"))
+    (OUT / "pandas-values.json").write_text(pandas.DataFrame(rows).to_json(orient="values"))
+    for name in ("pandas.csv", "pandas-decimal-commas.csv", "pandas-records.json", "pandas-values.json"):
+        entry(name, version("pandas"), points, range(4), kind="polyline")
+    polars.DataFrame(rows).write_csv(OUT / "polars.csv")
+    entry("polars.csv", version("polars"), points, range(4), kind="polyline")
+    (OUT / "polars.json").write_text(polars.DataFrame(rows).write_json())
+    entry("polars.json", version("polars"), points, range(4), kind="polyline")
+    arrow.csv.write_csv(arrow.table(rows), OUT / "pyarrow.csv")
+    entry("pyarrow.csv", version("pyarrow"), points, range(4), kind="polyline")
+    array = np.array(points)
+    np.save(OUT / "numpy.npy", array)
+    np.savetxt(OUT / "numpy.txt", array)
+    np.savetxt(OUT / "numpy-header.csv", array, delimiter=",", header="x,y,z")
+    for name in ("numpy.npy", "numpy.txt", "numpy-header.csv"):
+        entry(name, version("numpy"), points, range(4), kind="polyline")
+
+
+def with_svgwrite():
+    import svgwrite
+
+    def save(name, *shapes):
+        drawing = svgwrite.Drawing(str(OUT / name))
+        for make in shapes:
+            drawing.add(make(drawing))
+        drawing.save()
+
+    program = version("svgwrite")
+    save("svgwrite-rect.svg", lambda d: d.rect((1, 2), (10, 6), rx=2, ry=1))
+    entry("svgwrite-rect.svg", program, [(3, 2), (9, 2)], [0, 1])
+    save("svgwrite-circle.svg", lambda d: d.circle((1, 2), 3))
+    entry("svgwrite-circle.svg", program, [(4, 2), (1, 5)], [0, 1], length=6 * math.pi)
+    save("svgwrite-polygon.svg", lambda d: d.polygon([(0, 0), (4, 0), (4, 3)]))
+    entry("svgwrite-polygon.svg", program, [(4, 0), (4, 3), (0, 0)], [1, 2, 3], length=12)
+    save("svgwrite-path.svg", lambda d: d.path(d=["M", 0, 0, "C", 1, 0, 2, 1, 2, 2], transform="rotate(90) translate(1,0)"))
+    entry("svgwrite-path.svg", program, [(0, 1), (-2, 3)], [0, 1])
+    save("svgwrite-two.svg", lambda d: d.line((0, 0), (1, 1), id="a"), lambda d: d.ellipse((0, 0), (2, 1), id="b"))
+    entry("svgwrite-two.svg", program, [(2, 0), (0, 1)], [0, 1], pick="b")
+
+
+def with_trimesh():
+    import trimesh
+
+    points = np.array([[0, 0], [1, 2], [3, 0], [4, 1]], dtype=float)
+    path = trimesh.load_path(points)
+    for kind in ("dxf", "svg"):
+        (OUT / f"trimesh.{kind}").write_text(path.export(file_type=kind))
+        entry(f"trimesh.{kind}", version("trimesh"), points, range(4))
+
+
+def with_fullcontrol():
+    import fullcontrol as fc
+
+    steps = fc.helixZ(fc.Point(x=0, y=0, z=0), 5, 5, 0, 2, 0.5, 32) + [fc.Point(x=8, y=3, z=1)]
+    controls = fc.GcodeControls(printer_name="generic", save_as=None)
+    (OUT / "fullcontrol.gcode").write_text(fc.transform(steps, "gcode", controls, show_tips=False))
+    at = [0, 1, 7, 32]
+    entry("fullcontrol.gcode", version("fullcontrol"), [[round(x, 6) for x in (steps[k].x, steps[k].y, steps[k].z)] for k in at], at)
+
+
+def with_mecode():
+    from mecode import G
+
+    with G(outfile=str(OUT / "mecode.nc"), print_lines=False, aerotech_include=False, setup=False) as g:
+        g.absolute()
+        g.feed(10)
+        g.abs_move(x=0, y=0, z=0)
+        g.abs_move(x=10)
+        g.abs_arc(x=20, y=10, radius=10, direction="CCW")
+        g.abs_move(y=30)
+    entry("mecode.nc", version("mecode"), [(0, 0), (10, 0), (20, 10), (20, 30)], [0, 1, 2, 3], length=30 + 5 * math.pi)
+
+
+def with_three():
+    """Of the files that programs.mjs writes."""
+    for kind in ("glb", "gltf"):
+        entry(f"three-camera.{kind}", "three.js r187", [(0, 0, 0), (1, 2, 0), (2, 1, 0.5), (4, 1, 2)], [0, 1, 1.75, 4], "native")
+
+
+if __name__ == "__main__":
+    OUT.mkdir(exist_ok=True)
+    for make in (with_ezdxf, with_splipy, with_geomdl, with_scipy, with_tables, with_svgwrite, with_trimesh, with_fullcontrol, with_mecode, with_three):
+        make()
+    (HERE / "programs.json").write_text("[\n" + ",\n".join(json.dumps(e) for e in ENTRIES) + "\n]\n")

@@ -1,0 +1,69 @@
+#include "phrame/io/read/gltf_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include "io/reference.hpp"
+#include "phrame/ph/curve/place.hpp"
+
+namespace gltf_file_test {
+
+using namespace phrame;
+using test::refusal;
+
+namespace {
+
+/// The floats were packed by Python's struct and base64: times, then values.
+std::string gltf(const std::string& data, const std::string& bytes, const std::string& split,
+                 const std::string& counts, const std::string& interpolation) {
+  return R"({"asset": {"version": "2.0"}, "nodes": [{"name": "camera"}], "animations": [{"name": "fly",
+      "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+      "samplers": [{"input": 0, "output": 1, "interpolation": ")" +
+         interpolation + R"("}]}], "accessors": [
+      {"bufferView": 0, "componentType": 5126, "type": "SCALAR", "count": )" +
+         counts.substr(0, 1) +
+         R"(}, {"bufferView": 1, "componentType": 5126, "type": "VEC3", "count": )" +
+         counts.substr(2) + R"(}], "bufferViews": [{"buffer": 0, "byteLength": )" + split +
+         R"(}, {"buffer": 0, "byteOffset": )" + split + R"(}], "buffers": [{"byteLength": )" +
+         bytes + R"(, "uri": "data:application/octet-stream;base64,)" + data + R"("}]})";
+}
+
+// 0.5, 1, 3; (0, 0, 0), (1, 2, 0), (3, 1, 2).
+const std::string lines = "AAAAPwAAgD8AAEBAAAAAAAAAAAAAAAAAAACAPwAAAEAAAAAAAABAQAAAgD8AAABA";
+// 0, 2; tangent in, place, tangent out: 0, (0, 0, 0), (1.5, 0, 0); (0, 3, 0), (3, 3, 0), 0.
+const std::string cubic =
+    "AAAAAAAAAEAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAMA/"
+    "AAAAAAAAAAAAAAAAAABAQAAAAAAAAEBAAABAQAAAAAAAAAAAA"
+    "AAAAAAAAAA=";
+
+}  // namespace
+
+TEST_CASE("glTF: the way of a node by the times of its animation, by lines or cubic curves") {
+  const NamedPath named = read_any_path(gltf(lines, "48", "12", "3 3", "LINEAR"));
+  CHECK(named.name == "camera");
+  CHECK(named.path == read_any_path(R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0,0,0],[1,2,0]]}, {"control_points": [[1,2,0],[3,1,2]]}]})")
+                          .path);
+  CHECK(native_place(named, 2).t.exact() == Rational(1, 2));
+  CHECK(named.notes.front() ==
+        "the curve is the way of \"camera\" in the coordinates of its parent");
+  // Of the Hermite data the Bézier points are p, p + 2/3·m, q − 2/3·n, q.
+  const NamedPath smooth = read_any_path(gltf(cubic, "80", "8", "2 6", "CUBICSPLINE"));
+  CHECK(smooth.path == read_any_path(R"({"phrame": "curve/1",
+      "control_points": [[0,0,0],[1,0,0],[3,1,0],[3,3,0]]})")
+                           .path);
+}
+
+TEST_CASE("glTF: what is no curve is refused by its place") {
+  CHECK(refusal(gltf(lines, "48", "12", "3 3", "STEP")) ==
+        "/animations/0/samplers/0: the node moves by STEP, which is no curve");
+  CHECK(refusal(gltf(lines, "48", "12", "3 9", "LINEAR")) ==
+        "/accessors/1: the buffer ends before the data of the accessor");
+  CHECK(refusal(gltf("!" + lines, "48", "12", "3 3", "LINEAR")) ==
+        "/buffers/0/uri: the data is not base64");
+  CHECK(refusal(R"({"asset": {"version": "2.0"}})") ==
+        "/: there is no animation in the file that moves a node");
+  CHECK(refusal(std::string("glTF\1\0\0\0", 8)) ==
+        "header: the binary glTF is cut off, or not of version 2");
+}
+
+}  // namespace gltf_file_test
