@@ -36,9 +36,16 @@ PathTwistAnswer answer(const NamedPath& named, const PathTwistQuery& query) {
                            decimal(twist.rate_at_end(k), "the rate at the end" + of),
                            within ? upper_bound_text(*within) : ""});
   }
-  for (const Rational& t : query.at)
-    answer.values.push_back({t, decimal(twist.value(locate_inside(named.path.segments().size(), t)),
-                                        "theta at t = " + as_written(t))});
+  answer.by = query.by;
+  for (const ParameterPoint& point :
+       Parametrization(named, query.by).points(query.at, query.samples)) {
+    if (const auto& t = point.at.t.exact())
+      locate_inside(named.path.segments().size(), *t + static_cast<long>(point.at.segment));
+    const Real theta = twist.value(point.at);
+    answer.values.push_back(
+        angle_value(point, query.by, query.digits,
+                    [&](const std::string& what) { return decimal(theta, what); }));
+  }
   return answer;
 }
 

@@ -7,10 +7,12 @@ namespace phrame {
 
 /// How does the frame turn that has the orientations which come with a path?
 struct PathTwistQuery {
-  std::vector<Rational> at = {};  ///< the t where θ is asked for
+  std::vector<Rational> at = {};  ///< where θ is asked for: values of t, or of `by`
   long digits = 17;               ///< of all numbers
   /// v of the frame that angles are to; without it as angle_to() has it.
   std::optional<Vector<Rational>> up = {};
+  ParameterKind by = ParameterKind::t;  ///< what `at` are values of
+  long samples = 0;                     ///< and so many, equally spaced; none or 2 and more
 };
 
 /// The frame of least twist through given orientations, or the smooth one.
@@ -32,9 +34,10 @@ struct PathTwistAnswer {
   Decimal twist;                            ///< ∫ω ds
   Decimal squared_rate;                     ///< ∫ω² ds
   Decimal squared_slope;                    ///< ∫ω′² ds of a smooth one
-  std::vector<AngleValue> values;           ///< θ at the t asked for
+  std::vector<AngleValue> values;           ///< θ where it is asked for
   long digits;                              ///< of all numbers
   std::optional<Vector<Rational>> up = {};  ///< v, where angles are to the frame of it
+  ParameterKind by = ParameterKind::t;      ///< of the values
 };
 
 /// Throws DomainError for a path without orientations, and as PathTwist; Undecided where a number

@@ -77,8 +77,10 @@ void run_through(const Command& command, const MtfOptions& options, const NamedP
       TwistOptions::of_rational_frame(),
       "is of rational frames between two ends; the file has orientations at joints, which "
       "the exact frame meets");
-  const PathTwistQuery query{options.parameters.values(named.path.end()), options.digits,
-                             options.up.chosen(named.path)};
+  options.parameters.on(named);  // where it throws
+  const PathTwistQuery query{Parameters{options.parameters.at}.values(), options.digits,
+                             options.up.chosen(named.path), options.parameters.kind(),
+                             options.parameters.samples};
   options.length.write(options.curve.output, print(answer(named, query)));
 }
 

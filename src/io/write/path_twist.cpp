@@ -18,8 +18,8 @@ bool is_smooth(const PathTwistAnswer& answer) { return answer.path.frame->is_smo
 /// What the frame is, as prose() has it.
 std::string definition(const PathTwistAnswer& answer) {
   const auto& joints = answer.path.frame->joints;
-  const bool has_turns =
-      std::ranges::any_of(joints, [](const FrameThrough::Joint& joint) { return joint.turns != 0; });
+  const bool has_turns = std::ranges::any_of(
+      joints, [](const FrameThrough::Joint& joint) { return joint.turns != 0; });
   const std::string through = fmt::format(
       "The frame meets {} orientations, exactly. From each to the next it turns about $e₁$ by $T$ "
       "against the\nrotation-minimizing frame{}, ",
@@ -60,7 +60,6 @@ Fields fields(const PathTwistAnswer& answer) {
   if (is_smooth(answer))
     fields.push_back({"squared_slope", "$∫ ω′²\\, ds$", compared_value(answer.squared_slope)});
   fields.push_back({"legs", "", {Value::Rows(), legs}});
-  fields.push_back(json_field("values", phrame::json_of(answer.values)));
   return fields;
 }
 
@@ -96,18 +95,19 @@ std::string leg_table(const PathTwistAnswer& answer) {
 std::string to_text(const PathTwistAnswer& answer) {
   std::string text = heading(answer.path) + "\n\n" + prose(definition(answer), Notation::unicode);
   text += to_rows(fields(answer), 14) + leg_table(answer);
-  if (!answer.values.empty()) text += value_table(answer.values, answer.digits);
+  if (!answer.values.empty()) text += value_table(answer.values, answer.digits, answer.by);
   return text;
 }
 
 std::string to_latex(const PathTwistAnswer& answer) {
   std::string text = prose(definition(answer), Notation::latex) + to_align(fields(answer));
-  if (!answer.values.empty()) text += latex_value_table(answer.values);
+  if (!answer.values.empty()) text += latex_value_table(answer.values, answer.by);
   return text;
 }
 
 std::string to_json(const PathTwistAnswer& answer) {
   JsonOutput output = json_of(fields(answer));
+  add_values(output, answer.values, answer.by);
   if (answer.up) output["up"] = phrame::json_of(*answer.up);
   add_nearness(output, answer.path.near);
   return pretty(output);

@@ -44,7 +44,7 @@ void Roll::require_along(std::size_t segments) const {
                                   segments + 1, segments));
   for (const Piece& piece : pieces_)
     for (const RationalFunction* f : {&piece.half_turns, &piece.radians})
-      if (count_real_roots(f->denominator(), closed(0, static_cast<long>(segments))) > 0)
+      if (count_real_roots(f->denominator(), closed_interval(0, static_cast<long>(segments))) > 0)
         throw DomainError("roll: it is not finite all along");
 }
 

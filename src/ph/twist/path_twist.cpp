@@ -83,7 +83,7 @@ struct PathTwist::Slopes {
 
   std::vector<RealBall> at(long bits) const;
   Real of(const std::shared_ptr<const Slopes>& self, std::size_t joint) const {
-    return remembered(Real([self, joint](long bits) {
+    return cached(Real([self, joint](long bits) {
       return (*self->known.get(bits, [&](const auto*) { return self->at(bits); }))[joint];
     }));
   }
@@ -168,7 +168,7 @@ PathTwist::Bend PathTwist::bend_of(std::size_t k) const {
 }
 
 Real PathTwist::share(const Leg& leg, const Place& at) const {
-  return remembered(quotient_of(leg.twist.arc_length().value(on_leg(at)), leg.twist.length()));
+  return cached(quotient_of(leg.twist.arc_length().value(on_leg(at)), leg.twist.length()));
 }
 
 /// What φ is beyond δs.
@@ -238,7 +238,7 @@ Real PathTwist::squared_rate() const {
     terms.push_back(twist.length() *
                     (Real(Rational(2, 15)) * (a * a + b * b) + Real(Rational(-1, 15)) * a * b));
   }
-  return remembered(sum_of(terms));
+  return cached(sum_of(terms));
 }
 
 Real PathTwist::squared_slope() const {
@@ -248,7 +248,7 @@ Real PathTwist::squared_slope() const {
     terms.push_back(
         quotient_of(Real(Rational(4)) * (a * a + a * b + b * b), legs_[k].twist.length()));
   }
-  return remembered(sum_of(terms));
+  return cached(sum_of(terms));
 }
 
 // Where an orientation is given its angle is the argument of a number in ℚ(i), if all is rational.
@@ -264,7 +264,7 @@ Frame<Real> PathTwist::frame(const Place& at, const Frame<Real>& reference) cons
             Frame<Rational>{*exactly(reference.e1), *exactly(reference.e2), *exactly(reference.e3)},
             *z);
   }
-  return turned(reference, remembered(reduced_value(at)));
+  return turned(reference, cached(reduced_value(at)));
 }
 
 std::vector<TwistFrame> twist_frames(const PathTwist& twist, const RationalTwistOptions& options,
