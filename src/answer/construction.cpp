@@ -183,8 +183,8 @@ double angle_to_chords(const GivenPoses& poses, const HermiteSpline& data,
   return sum / (2 * static_cast<double>(data.segments()));
 }
 
-/// An axis is better by far where the angle is less than a third, or that of the one asked for is
-/// beyond a right angle.
+/// Another axis may have been meant where its angle is less than a third of that of the one asked
+/// for, and that more than half a radian.
 ConstructionAnswer::Poses facts_of(const GivenPoses& poses, const HermiteSpline& data) {
   ConstructionAnswer::Poses facts{};
   for (const Orientation& body : poses.bodies) facts.off = std::max(facts.off, body.off);

@@ -12,6 +12,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/twist/path_twist.hpp"
 
 namespace phrame {
 namespace {
@@ -188,6 +189,11 @@ MachinePath machine_path(const Path& path, const MachineQuery& query, const Axis
 MachinePath answer(const NamedPath& named, const MachineQuery& query) {
   const Path& path = named.path;
   const PathAngle angle = angle_to(query.up, path);
+  if (query.through && query.tool != ToolAxis::e1) {
+    const PathTwist twist(angle, *query.through);
+    return machine_path(path, query,
+                        [&](const Place& at) { return tool_of(twist.frame(at), query.tool); });
+  }
   const StartAngle start = start_angle(query.start, angle);
   return machine_path(path, query, [&](const Place& at) {
     return query.tool == ToolAxis::e1

@@ -1,18 +1,21 @@
 #pragma once
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
 namespace phrame {
 
-/// The vector of a rotation-minimizing frame that a tool is along, from its tip to the spindle.
+/// The vector of a frame that a tool is along, from its tip to the spindle.
 enum class ToolAxis { e1, f2, f3 };
 
 /// Asks how a machine with two rotary axes follows a motion. Times are in seconds.
 struct MachineQuery {
-  InterpolationQuery motion;                ///< its points
-  ToolAxis tool = ToolAxis::f3;             ///< along which vector it is
-  FrameStart start = {};                    ///< of the frame
+  InterpolationQuery motion;     ///< its points
+  ToolAxis tool = ToolAxis::f3;  ///< along which vector it is
+  FrameStart start = {};         ///< of the rotation-minimizing frame
+  /// Orientations that the frame is to have instead, as PathTwist has them.
+  std::optional<FrameThrough> through = {};
   std::optional<Vector<Rational>> up = {};  ///< v, as angle_to() has it
   long places = 4;                          ///< decimals, ≥ 0
 };
@@ -38,7 +41,7 @@ struct MachinePath {
 /// Of the two pairs (A, C), (−A, C + 180°) and their whole turns each move takes the pair nearest
 /// to the one before, so that angles go on and on; the first has A ≥ 0 and −180° < C ≤ 180°. Poles
 /// are where A is a multiple of 180° once it is rounded. Throws as the interpolation does, as
-/// start_angle(), and InputError at "places" where a feed rounds to 0.
+/// start_angle() and PathTwist, and InputError at "places" where a feed rounds to 0.
 PHRAME_API MachinePath answer(const NamedPath& named, const MachineQuery& query);
 
 }  // namespace phrame

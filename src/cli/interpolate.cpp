@@ -40,6 +40,7 @@ MachinePath machine_path(const Command& command, const InterpolateOptions& optio
                    "e1, which the tool is along, does not depend on it");
   query.places = options.places;
   query.start = options.start.start();
+  if (!options.start.given()) query.through = path.frame;
   query.up = options.up.chosen(path.path, options.start.is_up());
   options.start.check(path.path, query.up);
   return answer_of(path, query);
@@ -74,7 +75,8 @@ void add_interpolate(Program& program) {
   command.add_format("--format", options->format, {"csv", "json", "npy", "gcode"},
                      "csv (default), json, npy, or gcode: for a machine with the axes X Y Z A C");
   command.add_choice("--tool", options->tool, {"f3", "f2", "e1"},
-                     "the vector of the rotation-minimizing frame that the tool is along, from\n"
+                     "the vector of the rotation-minimizing frame, or of that through the\n"
+                     "orientations of the file, that the tool is along, from\n"
                      "its tip to the spindle: f3 (default), f2 or e1");
   command.add_number("--places", options->places, {1, 9}, "decimals of all numbers (default 4)",
                      "N");

@@ -195,6 +195,10 @@ void run_exact(const Command& command, const SweepOptions& options) {
   const NamedPhPath& named = *ph;
   if (options.degree > 0 && !options.end_normal && !named.path.closing_turn())
     throw InputError("--degree", "the frame of minimal twist of an open curve needs --end-normal");
+  if (path.frame)
+    note(
+        "the orientations that come with the path are left aside: a mesh, without --exact, has "
+        "them");
   const RationalSweepAnswer made = exact_answer(named, exact_query(options));
   write_output(options.curve.output, format(made));
   const auto& patches = made.surface.patches;

@@ -132,6 +132,24 @@ TEST_CASE(
   CHECK(contains(none.err, "that of a smooth twist is not known"));
 }
 
+TEST_CASE("poses: a machine follows them with the tool along an axis of the body") {
+  const Workshop here;
+  // From tip to spindle z of the tool is up, then tilted by 45 degrees about x, the way.
+  here.write(
+      "tool.csv",
+      "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n10,0,0,0.3826834323650898,0,0,0.9238795325112867\n");
+  check_success(here.run("construct tool.csv --tangent-axis x -o tool.json"));
+  const Run code = here.run("interpolate tool.json --feed 1 --period 5 --format gcode");
+  check_success(code);
+  CHECK(contains(code.out, "X0.0000 Y0.0000 Z0.0000 A0.0000"));
+  CHECK(contains(code.out, "X5.0000 Y0.0000 Z0.0000 A22.5000"));
+  CHECK(contains(code.out, "X10.0000 Y0.0000 Z0.0000 A45.0000"));
+  CHECK(contains(here.run("frames poses.json --samples 2").err, "cannot be read"));
+  here.write("poses.json", poses);
+  CHECK(contains(here.run("frames poses.json --samples 2").err,
+                 "phrame construct makes a curve of them"));
+}
+
 TEST_CASE("poses: a closed list gives a closed path, with a body that closes") {
   const Workshop here;
   here.write("ring.csv",

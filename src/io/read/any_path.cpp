@@ -146,6 +146,8 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
   if (format == "bspline/1" || format == "nurbs/1")
     return path_of(read_name(node), read_bspline(node, limits), limits.gap);
   if (format == "points/1") return path_of_points(read_point_curve(node), limits);
+  if (format == "poses/1")
+    node.at("phrame").fail("these are poses: phrame construct makes a curve of them");
   if (format != "curve/1")
     node.at("phrame").fail(
         fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
