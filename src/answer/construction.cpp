@@ -152,9 +152,10 @@ FrameThrough frame_through(const GivenPoses& poses, const HermiteSpline& data,
   for (std::size_t k = 0; k < data.frames.size(); ++k) {
     while (parameters[joint] != data.parameters[k]) ++joint;
     const long turns = k == 0 || k > poses.turns.size() ? 0 : poses.turns[k - 1];
+    const Vector<Integer> f2 = rotated_j(data.frames[k]);
+    const Integer divisor = gcd(gcd(f2[0], f2[1]), f2[2]);
     through.joints.push_back(
-        {joint, each(rotated_j(data.frames[k]), [](const Integer& x) { return Rational(x); }),
-         turns});
+        {joint, each(f2, [&](const Integer& x) { return Rational(x / divisor); }), turns});
   }
   return through;
 }

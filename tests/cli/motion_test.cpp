@@ -113,7 +113,7 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
                 "--by: \"length\" is not one of t, native, unit, arc-length, fraction");
   check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,
                 "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
-                "omega, quaternion, matrix");
+                "omega, twist_rate, twist_omega, twist_alpha, quaternion, matrix");
   check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,

@@ -17,6 +17,7 @@ RationalFunction line(const Rational& a, const Rational& b, long k) {
 }
 
 Real value_of(const RationalFunction& f, const Real& t) {
+  if (f.numerator().is_zero()) return Rational(0);
   if (t.exact()) return f(*t.exact());
   return Real([f, t](long bits) { return evaluate(f, t.enclose(bits + 8), bits + 8); });
 }
