@@ -46,14 +46,16 @@ PathParameter place_of(const Path& path, const GivenFrame& frame) {
   return sign_of(gain) > 0 ? before : after;
 }
 
-/// What the tangents given take for forward: the preimage, or H, if most of those where p < 0 do.
+/// What the frames take for forward, by their tangents or else f₂ × f₃: e₁ if most of those where
+/// p < 0 do, else r′.
 Forward forward_of(const Path& path, const std::vector<GivenFrame>& frames) {
   long balance = 0;
   for (const GivenFrame& frame : frames) {
-    if (!frame.tangent) continue;
+    if (!frame.tangent && !frame.f3) continue;
     const PathParameter at = place_of(path, frame);
     if (side_of(path, at) >= 0) continue;
-    balance += sign_of(dot(as_reals(*frame.tangent), direction(path, at)));
+    const Vector<Rational> forward = frame.tangent ? *frame.tangent : cross(frame.f2, *frame.f3);
+    balance += sign_of(dot(as_reals(forward), direction(path, at)));
   }
   return balance > 0 ? Forward::preimage : Forward::motion;
 }

@@ -582,6 +582,31 @@ TEST_CASE("frame check: a PH path by its positions is judged as that path") {
   });
 }
 
+// f < 0 behind t = 1/2, where e₁ is −r′/|r′|.
+TEST_CASE(
+    "frame check: without tangents, behind a cusp frames are about e1 or about r', all alike") {
+  const Curve curve(test::quintic.preimage(), Polynomial{1, -2});
+  const PathAngle theta{Path(curve)};
+  enum class About { e1, motion, either };
+  const auto verdict = [&](About about) {
+    std::vector<GivenFrame> frames;
+    for (long k = 0; k <= 8; ++k) {
+      const Rational t(k, 8);
+      GivenFrame frame = given(t, turned(as_real(euler_rodrigues_frame(curve, t)), theta.value(t)));
+      frame.tangent.reset();
+      const bool is_turned = about == About::motion || (about == About::either && k % 2 == 0);
+      if (k > 4 && is_turned) frame.f3 = Rational(-1) * *frame.f3;
+      frames.push_back(frame);
+    }
+    return check_frames(theta, frames);
+  };
+  CHECK(verdict(About::e1).passes);
+  CHECK(verdict(About::motion).passes);
+  const FrameVerdict mixed = verdict(About::either);
+  REQUIRE(kinds(mixed) == std::vector{FrameFinding::Kind::left_handed});
+  CHECK(mixed.findings[0].samples == std::vector<std::size_t>{5, 7});
+}
+
 TEST_CASE("frame check: are positions those of the curve?") {
   const auto at = [&](const Rational& t) {
     const auto r = position(cubic, locate(cubic, t));
