@@ -53,7 +53,7 @@ TableColumns camera_columns(TabulatedFrame frame) {
 CameraPath camera_path(const FrameTable& table, const std::vector<Rational>& numbers,
                        const std::optional<Rational>& duration) {
   if (numbers.size() < 2) throw InputError("a camera path needs two rows or more");
-  CameraPath path{camera_times(numbers, duration), {}, {}};
+  CameraPath path{camera_times(numbers, duration), {}, {}, table.start, table.up};
   for (const std::vector<double>& row : table.rows) {
     path.places.push_back({row[1], row[2], row[3]});
     path.rotations.push_back({row[13], row[14], row[15], row[16]});

@@ -126,7 +126,7 @@ void RotaryAngles::take_nearest(MachineMove& move, const Integer& tilt, const In
 class MachineMoves {
  public:
   explicit MachineMoves(const MachineQuery& query)
-      : angles_(query.places), path_{query.tool, query.places, {}} {}
+      : angles_(query.places), path_{query.tool, query.start, {}, query.places, {}} {}
 
   /// `duration` is that of the move, none at the start.
   void add(const Vector<Real>& tip, const Vector<Real>& axis, const std::optional<Real>& duration);
@@ -195,11 +195,13 @@ MachinePath answer(const NamedPath& named, const MachineQuery& query) {
                         [&](const Place& at) { return tool_of(twist.frame(at), query.tool); });
   }
   const StartAngle start = start_angle(query.start, angle);
-  return machine_path(path, query, [&](const Place& at) {
+  MachinePath found = machine_path(path, query, [&](const Place& at) {
     return query.tool == ToolAxis::e1
                ? tangent(path, at)
                : tool_of(rotation_minimizing_frame(angle, at, start), query.tool);
   });
+  if (angle.reference() == Reference::up) found.up = angle.up();
+  return found;
 }
 
 }  // namespace phrame

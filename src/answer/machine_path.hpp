@@ -33,9 +33,11 @@ struct MachineMove {
 
 /// The moves of a machine, all numbers correctly rounded.
 struct MachinePath {
-  ToolAxis tool;                   ///< that of the query
-  long places;                     ///< of the numbers: decimals
-  std::vector<MachineMove> moves;  ///< the first is where it starts
+  ToolAxis tool;                       ///< that of the query
+  FrameStart start;                    ///< likewise
+  std::optional<Vector<Rational>> up;  ///< v, where the angle at the start is to its frame
+  long places;                         ///< of the numbers: decimals
+  std::vector<MachineMove> moves;      ///< the first is where it starts
 };
 
 /// Of the two pairs (A, C), (−A, C + 180°) and their whole turns each move takes the pair nearest

@@ -95,6 +95,7 @@ def check(curve, feed, period, tool="f3", places=4, poles=0, frame=()):
         phrame("interpolate", curve, *choice, "-o", file)
         program = file.read_text(encoding="ascii")
     assert "(phrame: a motion with the tool along %s of" % tool in program
+    assert tool == "e1" or re.search(r"\n\((at the start the|f2 at the start is) [^()]+\)\n", program)
     path = moves(program, places)
     assert len(path) == len(motion)
     rows = table("frames", curve, "--at", ",".join(repr(row["t"]) for row in motion), *frame)

@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/nearest_float.hpp"
 #include "phrame/io/write/bytes.hpp"
+#include "phrame/io/write/frame_start.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame {
@@ -35,7 +36,7 @@ std::string nodes_json(const Vector<double>& origin) {
 std::string camera_json(const CameraPath& path, const std::string& uri) {
   const std::size_t count = path.times.size();
   return fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":{9},"cameras":[{{"type":"perspective",)"
+      R"({{"asset":{{"version":"2.0","generator":"phrame"{10}}},"scene":0,"scenes":{9},"cameras":[{{"type":"perspective",)"
       R"("perspective":{{"yfov":0.8,"znear":0.01}}}}],"animations":[{{"name":"path","samplers":[)"
       R"({{"input":0,"output":1,"interpolation":"LINEAR"}},)"
       R"({{"input":0,"output":2,"interpolation":"LINEAR"}}],"channels":[)"
@@ -49,7 +50,8 @@ std::string camera_json(const CameraPath& path, const std::string& uri) {
       R"({{"bufferView":2,"componentType":5126,"count":{0},"type":"VEC4"}}]}})",
       count, 32 * count, uri.empty() ? "" : ",\"uri\":\"" + uri + "\"", 4 * count, 12 * count,
       16 * count, 16 * count, as_float(path.times.front()), as_float(path.times.back()),
-      nodes_json(path.origin));
+      nodes_json(path.origin),
+      path.start ? R"(,"extras":{"start":")" + start_comment(*path.start, path.up) + "\"}" : "");
 }
 
 /// A script that makes a camera of the list `keys`.
@@ -93,8 +95,9 @@ std::string to_gltf(const CameraPath& path) {
 
 std::string to_blender(const CameraPath& path, double fps) {
   std::string text =
-      "# A camera path, by phrame. In Blender: Scripting, Open, Run; or blender --python FILE.\n"
-      "import math\n\nimport bpy\n\n";
+      "# A camera path, by phrame. In Blender: Scripting, Open, Run; or blender --python FILE.\n";
+  if (path.start) text += fmt::format("# {}\n", start_comment(*path.start, path.up));
+  text += "import math\n\nimport bpy\n\n";
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "FPS = {}\n# seconds, location (x, y, z), rotation (w, x, y, z)\nkeys = [\n",
                  fps);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "phrame/algebra/fixed_point.hpp"
+#include "phrame/io/write/frame_start.hpp"
 
 namespace phrame {
 
@@ -19,6 +20,7 @@ std::string to_gcode(const MachinePath& path) {
       "(A C: degrees; from tip to spindle the tool is along sin C sin A, -cos C sin A, cos A)\n"
       "(F: 1/minutes that a move takes)\n",
       tool);
+  if (path.tool != ToolAxis::e1) text += fmt::format("({})\n", start_comment(path.start, path.up));
   const auto out = std::back_inserter(text);
   const auto word = [&](char letter, const Integer& n) {
     fmt::format_to(out, " {}{}", letter, fixed_point_text(n, path.places));
