@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/curve_arc.hpp"
 
 // P is the projected curve. An arc on which P′ stays within a half-plane, d·P′ > 0, does not cross
@@ -24,23 +25,17 @@ constexpr double least_plane_arc = 0x1p-24;
 constexpr long most_plane_pairs = 400'000;  // and as many for ten segments each
 constexpr std::size_t most_undecided = 64;
 
-/// A solution s = first, t = second in the two arcs.
-struct NewtonStep {
-  RealBall first;
-  RealBall second;
-};
-
 class CrossingSearch {
  public:
   CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
   /// Of a curve in a plane, with itself.
-  CrossingSearch(CurveTree& plane, const std::vector<KnownMeeting>& known)
+  CrossingSearch(CurveTree& plane, const CrossingQuery& query)
       : first_(plane),
         second_(plane),
         is_plane_(true),
         most_pairs_(most_plane_pairs +
                     most_plane_pairs / 10 * static_cast<long>(plane.root().last_segment)),
-        known_(known) {}
+        query_(query) {}
 
   std::optional<std::vector<Crossing>> with_itself() {
     return visit_self(first_.root()) ? std::optional(std::move(found_)) : std::nullopt;
@@ -56,7 +51,7 @@ class CrossingSearch {
 
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
-    if (first_.is_simple(node)) return true;
+    if (is_idle(node) || first_.is_simple(node)) return true;
     if (!is_left()) return false;
     if (is_too_short(node)) return leave_undecided(node, node);
     first_.split(node);
@@ -66,7 +61,8 @@ class CrossingSearch {
 
   bool visit_pair(CurveNode& a, CurveNode& b) {
     if (!is_left()) return false;
-    if (are_apart(a.box, b.box)) return true;
+    if (are_apart(a.box, b.box) || is_idle(a) || is_idle(b)) return true;
+    if (query_.are_idle && query_.are_idle(a, b)) return true;
     const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
     if (are_neighbours && first_.are_simple(a, b)) return true;
     if (!are_neighbours && a.is_arc() && b.is_arc()) {
@@ -92,12 +88,17 @@ class CrossingSearch {
     std::optional<NewtonStep> crossing = {};
   };
   Solution solve(const CurveNode& a, const CurveNode& b) const;
-  NewtonStep newton(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
-                    long bits) const;
+  NewtonStep step(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
+                  long bits) const;
   bool add_crossing(const CurveNode& a, const CurveNode& b, NewtonStep at);
   int sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
               long bits) const;
 
+  bool is_idle(CurveNode& node) const {
+    if (!query_.is_idle) return false;
+    if (!node.is_idle) node.is_idle = query_.is_idle(node);
+    return *node.is_idle;
+  }
   bool is_known(const CurveNode& a, const CurveNode& b) const;
   bool leave_undecided(const CurveNode& a, const CurveNode& b);
   bool is_left() { return ++pairs_ <= most_pairs_; }
@@ -112,7 +113,7 @@ class CrossingSearch {
   CurveTree& second_;
   bool is_plane_ = false;
   long most_pairs_ = most_pairs;
-  std::vector<KnownMeeting> known_ = {};
+  CrossingQuery query_ = {};
   long pairs_ = 0;
   std::vector<Crossing> found_;
   std::vector<UndecidedCrossing> undecided_;
@@ -128,7 +129,7 @@ bool is_on(const CurveNode& arc, std::size_t segment, const RealAlgebraic& t) {
 /// Is there a point that the arcs are known to have in common? If they are transversal, they have
 /// no other one.
 bool CrossingSearch::is_known(const CurveNode& a, const CurveNode& b) const {
-  return std::ranges::any_of(known_, [&](const KnownMeeting& x) {
+  return std::ranges::any_of(query_.known, [&](const KnownMeeting& x) {
     return is_on(a, x.first_segment, x.first_t) && is_on(b, x.second_segment, x.second_t);
   });
 }
@@ -171,33 +172,18 @@ SelfIntersections CrossingSearch::in_plane() {
   return result;
 }
 
-/// N for the parameters in s and t.
-NewtonStep CrossingSearch::newton(const CurveNode& a, const RealBall& s, const CurveNode& b,
-                                  const RealBall& t, long bits) const {
-  const RealBall p = midpoint_of(s);
-  const RealBall q = midpoint_of(t);
-  const PlaneSeries at_p = first_.series(a.first_segment, p, 1, bits);
-  const PlaneSeries at_q = second_.series(b.first_segment, q, 1, bits);
-  const PlaneSeries over_s = first_.series(a.first_segment, s, 2, bits);
-  const PlaneSeries over_t = second_.series(b.first_segment, t, 2, bits);
-  const auto gap = [&](std::size_t k) {
-    return subtract(at_p[k].coefficient(0), at_q[k].coefficient(0), bits);
+NewtonStep CrossingSearch::step(const CurveNode& a, const RealBall& s, const CurveNode& b,
+                                const RealBall& t, long bits) const {
+  const auto of = [](const CurveTree& tree) {
+    return [&tree](std::size_t segment, const RealBall& at, long length, long precision) {
+      return tree.series(segment, at, length, precision);
+    };
   };
-  const auto slope_s = [&](std::size_t k) { return over_s[k].coefficient(1); };
-  const auto slope_t = [&](std::size_t k) { return over_t[k].coefficient(1); };
-  const auto cross_of = [&](const RealBall& x, const RealBall& y, const RealBall& z,
-                            const RealBall& w) {
-    return subtract(multiply(x, w, bits), multiply(y, z, bits), bits);
-  };
-  // P′(s)·ds − P′(t)·dt = −gap, by Cramer's rule.
-  const RealBall determinant = cross_of(slope_s(0), slope_s(1), slope_t(0), slope_t(1));
-  const RealBall ds = divide(cross_of(gap(0), gap(1), slope_t(0), slope_t(1)), determinant, bits);
-  const RealBall dt = divide(cross_of(gap(0), gap(1), slope_s(0), slope_s(1)), determinant, bits);
-  return {subtract(p, ds, bits), subtract(q, dt, bits)};
+  return newton(of(first_), a.first_segment, s, of(second_), b.first_segment, t, bits);
 }
 
 CrossingSearch::Solution CrossingSearch::solve(const CurveNode& a, const CurveNode& b) const {
-  const NewtonStep step = newton(a, arc_parameter(a), b, arc_parameter(b), crossing_bits);
+  const NewtonStep found = step(a, arc_parameter(a), b, arc_parameter(b), crossing_bits);
   const auto ends = [](const CurveNode& node) {
     return std::pair(exact_sum(node.lower, 0), exact_sum(node.upper, 0));
   };
@@ -209,8 +195,8 @@ CrossingSearch::Solution CrossingSearch::solve(const CurveNode& a, const CurveNo
     const auto [lower, upper] = ends(node);
     return is_less(lower, x) && is_less(x, upper);
   };
-  if (is_outside(step.first, a) || is_outside(step.second, b)) return {true};
-  if (is_inside(step.first, a) && is_inside(step.second, b)) return {true, step};
+  if (is_outside(found.first, a) || is_outside(found.second, b)) return {true};
+  if (is_inside(found.first, a) && is_inside(found.second, b)) return {true, found};
   return {};
 }
 
@@ -241,7 +227,7 @@ bool CrossingSearch::add_crossing(const CurveNode& a, const CurveNode& b, Newton
     const long bits = crossing_bits << (steps / 4);
     sign = sign_at(a, at.first, b, at.second, bits);
     if (sign != 0 && at.first.is_accurate(40) && at.second.is_accurate(40)) break;
-    at = newton(a, at.first, b, at.second, bits);
+    at = step(a, at.first, b, at.second, bits);
   }
   if (sign == 0) return leave_undecided(a, b);
   found_.push_back({a.first_segment, at.first, b.first_segment, at.second, sign});
@@ -264,10 +250,11 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
   return CrossingSearch(one, other).with_other();
 }
 
-SelfIntersections self_intersections(const CurveSeries& curve,
-                                     const std::vector<KnownMeeting>& known) {
+SelfIntersections self_intersections(const CurveSeries& curve, const CrossingQuery& query) {
   CurveTree tree(curve, {0, 0, 1});
-  return CrossingSearch(tree, known).in_plane();
+  SelfIntersections result = CrossingSearch(tree, query).in_plane();
+  look_closer(curve, result);
+  return result;
 }
 
 long sum_of_signs(const std::vector<Crossing>& crossings) {

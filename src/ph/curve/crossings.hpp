@@ -1,10 +1,14 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "phrame/ph/curve/curve_series.hpp"
 
 namespace phrame {
+
+struct CurveNode;
 
 /// Two places of curves that a projection along v lays over each other.
 struct Crossing {
@@ -53,13 +57,24 @@ struct KnownMeeting {
   std::size_t second_segment;  ///< those of the other, which is not before it
   RealAlgebraic second_t;      ///< likewise
 };
+/// What is known of the places where a curve meets itself, and which of them are asked for.
+struct CrossingQuery {
+  std::vector<KnownMeeting> known = {};  ///< meetings that are not to be found again
+  /// Is nothing asked of a part? Then of none of its parts.
+  std::function<bool(const CurveNode&)> is_idle = {};
+  /// Is nothing asked of where two arcs meet?
+  std::function<bool(const CurveNode&, const CurveNode&)> are_idle = {};
+};
 /// All places where a curve in a plane z = const meets itself, open or closed, with cusps and
 /// corners, proved like self_crossings(): at a place that is found there is one point in common,
 /// which both branches cross, and elsewhere there is none but in undecided parts, as where it
 /// touches itself or ends on itself. The turning of the curve is wanted (plane_series()). Where
 /// both branches cross at a meeting that is known, it is not found again, nor undecided.
-SelfIntersections self_intersections(const CurveSeries& curve,
-                                     const std::vector<KnownMeeting>& known = {});
+SelfIntersections self_intersections(const CurveSeries& curve, const CrossingQuery& query = {});
+
+/// The parameters of a crossing in the plane to so many bits, by Newton's method in intervals.
+std::pair<RealBall, RealBall> narrowed(const CurveSeries& curve, const Crossing& crossing,
+                                       long bits);
 
 /// The sum of the signs: for a curve with itself the linking number of the curve with its copy
 /// shifted along v, and for two curves twice their linking number.

@@ -156,14 +156,14 @@ PlaneSeries CurveTree::series(std::size_t segment, const RealBall& t, long lengt
   return projected(curve_.position(segment, t, length, bits), bits);
 }
 
-bool CurveTree::meets_next(std::size_t segment) const {
-  return curve_.meets.empty() || curve_.meets[segment];
+std::size_t CurveTree::behind(std::size_t segment) const {
+  return curve_.behind.empty() ? (segment + 1) % curve_.segments : curve_.behind[segment];
 }
 
 bool CurveTree::is_smooth_behind(std::size_t segment) const {
   if (curve_.turning.empty()) return true;
   const Vector<Rational>& before = curve_.turning[segment].last_direction;
-  const Vector<Rational>& after = curve_.turning[(segment + 1) % curve_.segments].first_direction;
+  const Vector<Rational>& after = curve_.turning[behind(segment)].first_direction;
   return before[0] * after[1] == before[1] * after[0];
 }
 
@@ -229,7 +229,7 @@ std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t 
   node->last_sign = other.last_sign;
   node->reversals = one.reversals + other.reversals;
   if (one.last_sign != other.first_sign) ++node->reversals;
-  if (!meets_next(middle)) node->reversals += not_seen;
+  if (behind(middle) != middle + 1) node->reversals += not_seen;
   return node;
 }
 
@@ -241,11 +241,10 @@ void CurveTree::split(CurveNode& node) {
                  make_arc(node.first_segment, cut, node.upper)};
 }
 
-/// Does b begin where a ends? 1 of a segment is 0 of the next one, and the last one is the first.
+/// Does b begin where a ends? 1 of a segment is 0 of the one behind it.
 bool CurveTree::goes_on_into(const CurveNode& a, const CurveNode& b) const {
   if (a.upper < 1) return a.last_segment == b.first_segment && a.upper == b.lower;
-  return b.lower == 0 && b.first_segment == (a.last_segment + 1) % curve_.segments &&
-         meets_next(a.last_segment);
+  return b.lower == 0 && b.first_segment == behind(a.last_segment);
 }
 
 bool CurveTree::share_end(const CurveNode& a, const CurveNode& b) const {

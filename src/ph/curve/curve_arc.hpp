@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "phrame/ph/curve/curve_series.hpp"
 
@@ -40,7 +41,8 @@ struct CurveNode {
   int first_sign = 1;  ///< of p where it starts
   int last_sign = 1;   ///< and where it ends
   int turn = 0;        ///< the sign of H × H′ on an arc; 0 where it is not known or changes
-  bool is_straight = false;  ///< is an arc known to be one?
+  bool is_straight = false;          ///< is an arc known to be one?
+  std::optional<bool> is_idle = {};  ///< what a CrossingQuery says of it, once it was asked
   std::array<std::unique_ptr<CurveNode>, 2> halves = {};
 
   bool is_arc() const { return first_segment == last_segment; }  ///< is it of one segment?
@@ -82,7 +84,7 @@ class CurveTree {
   std::unique_ptr<CurveNode> make_group(std::size_t first, std::size_t last) const;
   void add_turning(CurveNode& arc, const RealBall& all, const RealBall& middle) const;
   PlaneSeries projected(const Vector<BallPolynomial>& r, long bits) const;
-  bool meets_next(std::size_t segment) const;
+  std::size_t behind(std::size_t segment) const;
   bool is_smooth_behind(std::size_t segment) const;
   DoubleInterval curvature_of(const CurveNode& arc) const;
   bool are_parted(const CurveNode& one, const CurveNode& other) const;

@@ -96,10 +96,11 @@ CurveSeries series_of(const Path& path) {
           }};
 }
 
-CurveSeries plane_series(const std::vector<RationalCurve>& segments, std::vector<bool> meets) {
+CurveSeries plane_series(const std::vector<RationalCurve>& segments,
+                         std::vector<std::size_t> behind) {
   CurveSeries series;
   series.segments = segments.size();
-  series.meets = std::move(meets);
+  series.behind = std::move(behind);
   std::vector<CurveFromStart> positions;
   std::vector<Vector<Polynomial>> directions;
   for (const RationalCurve& curve : segments) {

@@ -28,15 +28,17 @@ struct CurveSeries {
   Series position;
   Series direction = {};                     ///< H likewise, where the turning is known
   std::vector<SegmentTurning> turning = {};  ///< of the segments, or empty
-  /// Does each segment end where the next one starts, and the last one where the first one does?
-  /// Empty where all do.
-  std::vector<bool> meets = {};
+  /// The segment that starts where each one ends, or no_segment. Empty where that is the next one,
+  /// and of the last one the first.
+  std::vector<std::size_t> behind = {};
 };
+inline constexpr std::size_t no_segment = static_cast<std::size_t>(-1);  ///< behind an open end
 
 /// Of such a curve.
 CurveSeries series_of(const Path& path);
-/// Of rational curves in a plane z = const, one after the other, of which those meet that are said
-/// to, with their turning. Cost: the roots of p and of H × H′.
-CurveSeries plane_series(const std::vector<RationalCurve>& segments, std::vector<bool> meets);
+/// Of rational curves in a plane z = const, with what is behind each of them and their turning.
+/// Cost: the roots of p and of H × H′.
+CurveSeries plane_series(const std::vector<RationalCurve>& segments,
+                         std::vector<std::size_t> behind);
 
 }  // namespace phrame

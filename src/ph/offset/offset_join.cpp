@@ -62,4 +62,11 @@ std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational
   return pieces;
 }
 
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
+                                   const Rational& d) {
+  const PlaneVector n = right_normal(e1);
+  const PlaneVector ahead = d > 0 ? e1 : PlaneVector{-e1.x, -e1.y};
+  return {arc(at, n, ahead, d), arc(at, ahead, {-n.x, -n.y}, d)};
+}
+
 }  // namespace phrame

@@ -24,4 +24,8 @@ bool is_outside(const PlaneCorner& corner, const Rational& d);
 std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational& d,
                                        OffsetJoin join);
 
+/// The half-circle about the end of a path, from at + d·n around it to at − d·n.
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
+                                   const Rational& d);
+
 }  // namespace phrame

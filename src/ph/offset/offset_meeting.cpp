@@ -52,8 +52,8 @@ std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rati
 }
 
 /// r′ there, of any length, with the sign that counts where it is only known on one side.
-Vector<RealBall> velocity(const Offset& offset, const PiecePoint& at, long bits) {
-  const RationalCurve& curve = offset.pieces[at.piece].curve;
+Vector<RealBall> velocity(const OffsetBranches& offset, const PiecePoint& at, long bits) {
+  const RationalCurve& curve = offset.curves[at.piece];
   const RealBall t = enclose(at.t, bits);
   const RealBall p = evaluate(curve.multiplier(), t, bits);
   Vector<RealBall> v;
@@ -62,7 +62,7 @@ Vector<RealBall> velocity(const Offset& offset, const PiecePoint& at, long bits)
   return v;
 }
 
-int crossing_sign(const Offset& offset, const PointPair& pair) {
+int crossing_sign(const OffsetBranches& offset, const PointPair& pair) {
   constexpr long bits = 256;
   const Vector<RealBall> a = velocity(offset, pair.first, bits);
   const Vector<RealBall> b = velocity(offset, pair.second, bits);
@@ -70,18 +70,19 @@ int crossing_sign(const Offset& offset, const PointPair& pair) {
 }
 
 /// The end of a piece as the start of the next one, where they meet.
-PiecePoint at_start(const Offset& offset, const PiecePoint& at) {
-  if (at.t.rational() != Rational(1) || !offset.meets[at.piece]) return at;
-  return {(at.piece + 1) % offset.pieces.size(), Rational(0)};
+PiecePoint at_start(const OffsetBranches& offset, const PiecePoint& at) {
+  const std::size_t behind = offset.behind[at.piece];
+  if (at.t.rational() != Rational(1) || behind == no_segment) return at;
+  return {behind, Rational(0)};
 }
 
 /// Those with an end of one part in the other one.
-void add_meetings(const Offset& offset, const CurvePart& one, const CurvePart& other,
+void add_meetings(const OffsetBranches& offset, const CurvePart& one, const CurvePart& other,
                   std::vector<PointPair>& pairs) {
   for (const long end : {0L, 1L}) {
     if (end == 0 ? one.lower > 0 : one.upper < 1) continue;
-    const Vector<Rational> at = point(offset.pieces[one.segment].curve, end);
-    for (const RealAlgebraic& t : through(offset.pieces[other.segment].curve, at, other)) {
+    const Vector<Rational> at = point(offset.curves[one.segment], end);
+    for (const RealAlgebraic& t : through(offset.curves[other.segment], at, other)) {
       const PointPair pair = in_order({one.segment, Rational(end)}, {other.segment, t});
       const bool is_joint = are_same(at_start(offset, pair.first), at_start(offset, pair.second));
       if (!is_joint && !contains(pairs, pair) && crossing_sign(offset, pair) != 0)
@@ -91,7 +92,8 @@ void add_meetings(const Offset& offset, const CurvePart& one, const CurvePart& o
 }
 
 /// Each once, among the places that are found.
-void add_to(SelfIntersections& result, const Offset& offset, const std::vector<PointPair>& pairs) {
+void add_to(SelfIntersections& result, const OffsetBranches& offset,
+            const std::vector<PointPair>& pairs) {
   constexpr long bits = 96;
   std::vector<PointPair> told;
   for (const PointPair& pair : pairs) {
@@ -111,22 +113,34 @@ void add_to(SelfIntersections& result, const Offset& offset, const std::vector<P
 
 }  // namespace
 
-SelfIntersections self_intersections(const Offset& offset) {
-  std::vector<RationalCurve> curves;
-  for (const OffsetPiece& piece : offset.pieces) curves.push_back(piece.curve);
-  const CurveSeries series = plane_series(curves, offset.meets);
-  SelfIntersections result = self_intersections(series);
+OffsetBranches branches_of(const Offset& offset) {
+  OffsetBranches branches;
+  const std::size_t count = offset.pieces.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    branches.curves.push_back(offset.pieces[k].curve);
+    branches.behind.push_back(offset.meets[k] ? (k + 1) % count : no_segment);
+  }
+  return branches;
+}
+
+SelfIntersections self_intersections(const OffsetBranches& offset, const CurveSeries& series,
+                                     CrossingQuery query) {
+  SelfIntersections result = self_intersections(series, query);
   std::vector<PointPair> pairs;
   for (const auto& [first, second] : result.undecided) {
     add_meetings(offset, first, second, pairs);
     add_meetings(offset, second, first, pairs);
   }
   if (pairs.empty()) return result;
-  std::vector<KnownMeeting> known;
-  for (const auto& [a, b] : pairs) known.push_back({a.piece, a.t, b.piece, b.t});
-  result = self_intersections(series, known);
+  for (const auto& [a, b] : pairs) query.known.push_back({a.piece, a.t, b.piece, b.t});
+  result = self_intersections(series, query);
   add_to(result, offset, pairs);
   return result;
+}
+
+SelfIntersections self_intersections(const Offset& offset) {
+  const OffsetBranches branches = branches_of(offset);
+  return self_intersections(branches, plane_series(branches.curves, branches.behind), {});
 }
 
 }  // namespace phrame

@@ -9,4 +9,15 @@ namespace phrame {
 /// the piece that begins there.
 SelfIntersections self_intersections(const Offset& offset);
 
+/// The pieces of one or several offsets as curves.
+struct OffsetBranches {
+  std::vector<RationalCurve> curves;  ///< with H along e₁
+  std::vector<std::size_t> behind;    ///< as CurveSeries has it
+};
+/// Those of one.
+OffsetBranches branches_of(const Offset& offset);
+/// The same of these, which are the series, as far as it is asked for.
+SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
+                                     CrossingQuery query);
+
 }  // namespace phrame

@@ -72,7 +72,7 @@ TEST_CASE("crossings: a plane curve that turns back at a joint, and meets itself
   const Polynomial z{0, Rational(1, 2)};
   const RationalCurve there({x, -(x * x), {}});
   const RationalCurve back({z, Rational(-1, 2) * z * z - Rational(10, 3) * z * z * z, {}});
-  const auto found = self_intersections(plane_series({there.turned_over(), back}, {true, false}));
+  const auto found = self_intersections(plane_series({there.turned_over(), back}, {1, no_segment}));
   CHECK(found.is_complete());
   REQUIRE(found.found.size() == 1);
   CHECK(found.found[0].first_t.contains(Rational(7, 10)));
@@ -84,7 +84,8 @@ TEST_CASE("crossings: a plane curve with a cusp between two inflections meets it
   // (s^2, s^3(s^2 - 4/25)), -1/2 < s < 1/2: y = 0 again for s = -2/5 and 2/5.
   const Polynomial s{Rational(-1, 2), 1};
   const Polynomial y = s * s * s * (s * s - Polynomial{Rational(4, 25)});
-  const auto found = self_intersections(plane_series({RationalCurve({s * s, y, {}})}, {false}));
+  const auto found =
+      self_intersections(plane_series({RationalCurve({s * s, y, {}})}, {no_segment}));
   CHECK(found.is_complete());
   REQUIRE(found.found.size() == 1);
   CHECK(found.found[0].first_t.contains(Rational(1, 10)));
@@ -97,8 +98,9 @@ TEST_CASE("crossings: of plane curves nothing is looked for at a gap, and ends m
     return RationalCurve({Polynomial{x, dx}, Polynomial{y, dy}, {}});
   };
   // Two lines that cross, each 2 long, and a third apart from them.
-  const auto found = self_intersections(plane_series(
-      {line(0, 0, 2, 0), line(1, Rational(-3, 2), 0, 2), line(5, 5, 1, 1)}, {false, false, false}));
+  const auto found = self_intersections(
+      plane_series({line(0, 0, 2, 0), line(1, Rational(-3, 2), 0, 2), line(5, 5, 1, 1)},
+                   {no_segment, no_segment, no_segment}));
   CHECK(found.is_complete());
   REQUIRE(found.found.size() == 1);
   CHECK(found.found[0].first_t.contains(Rational(1, 2)));

@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+
+#include "phrame/ph/curve/crossings.hpp"
+
+namespace phrame {
+
+/// Two coordinates of a curve around a place of a segment.
+using PlanePosition = std::function<std::array<BallPolynomial, 2>(
+    std::size_t segment, const RealBall& t, long length, long bits)>;
+
+/// A solution s = first, t = second of P(s) − Q(t) = 0 in two arcs.
+struct NewtonStep {
+  RealBall first;   ///< s
+  RealBall second;  ///< t
+};
+/// N for the parameters in s and t, from their middles: a solution in s and t is in N, and there is
+/// one where N is inside them.
+NewtonStep newton(const PlanePosition& p, std::size_t first, const RealBall& s,
+                  const PlanePosition& q, std::size_t second, const RealBall& t, long bits);
+
+/// The coordinates in a plane z = const.
+PlanePosition plane_position(const CurveSeries& curve);
+
+/// What self_intersections() left undecided, looked at in arcs down to 2^−64 of a segment: branches
+/// that nearly touch are told apart, or cross in places that are found. What is decided is moved.
+void look_closer(const CurveSeries& curve, SelfIntersections& result);
+
+}  // namespace phrame

@@ -1,0 +1,471 @@
+// All points at the distance |d| from the path are on its boundary curves: the offsets to both
+// sides, the arcs about corners on their outer sides, and half-circles about the ends of an open
+// path. Along an offset the distance from the path is at most |d|, and where it changes from |d| to
+// less, at a point Q, there are points of the path as near to Q as |d| beside the one that Q
+// belongs to, so that another boundary curve goes through Q; or that one is next to it, and 1 + dκ
+// changes its sign. So between two such places one point tells for all. A part of which one point
+// of the path is seen to be nearer than |d| has no such place.
+//
+// Branches that coincide are lines, circles about one corner, or the same curve. One does not cross
+// the other, and the ends of each cut the other one.
+#include "phrame/ph/offset/offset_trim.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/close_crossings.hpp"
+#include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
+#include "phrame/ph/offset/path_distance.hpp"
+
+namespace phrame {
+namespace {
+
+constexpr long place_bits = 320;
+
+void require_no_turning_back(const PhPath& path) {
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const auto turns = odd_inside(cusps(path.segments()[k]));
+    if (!turns.empty())
+      throw DomainError(
+          fmt::format("trimmed_offset: the path turns back at a cusp, in segment {} at {}", k + 1,
+                      place("t", turns.front().at)));
+  }
+}
+
+/// The boundary curves.
+struct Stroke {
+  OffsetBranches branches;                               ///< first those of the offset itself
+  std::vector<std::optional<Vector<Rational>>> centers;  ///< of the arcs
+};
+
+class StrokeMaker {
+ public:
+  StrokeMaker(const PhPath& path, const Offset& offset) : path_(path), offset_(offset) {}
+
+  Stroke make() {
+    const auto& segments = path_.segments();
+    add(offset_, path_);
+    if (path_.closing_turn()) {
+      add(phrame::offset(path_, -offset_.distance), path_);
+      return std::move(stroke_);
+    }
+    const PhPath back = *reversed(Path(path_)).ph();
+    const Curve& last = segments.back();
+    add_cap(evaluate(position(last), 1), direction(plane_tangent(last), 1));
+    add(phrame::offset(back, offset_.distance), back);
+    const PlaneVector start = direction(plane_tangent(segments.front()), 0);
+    add_cap(segments.front().start(), {-start.x, -start.y});
+    stroke_.branches.behind.back() = 0;
+    return std::move(stroke_);
+  }
+
+ private:
+  /// What is behind an open end is what is added next.
+  void add(const Offset& offset, const PhPath& path) {
+    const std::size_t first = stroke_.branches.curves.size();
+    const OffsetBranches more = branches_of(offset);
+    for (std::size_t k = 0; k < more.curves.size(); ++k) {
+      stroke_.branches.curves.push_back(more.curves[k]);
+      const std::size_t behind = more.behind[k];
+      stroke_.branches.behind.push_back(behind == no_segment ? no_segment : first + behind);
+      const OffsetPiece& piece = offset.pieces[k];
+      stroke_.centers.push_back(
+          piece.is_join ? std::optional(path.segments()[piece.segment].start()) : std::nullopt);
+    }
+    if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
+  }
+
+  void add_cap(const Vector<Rational>& at, const PlaneVector& e1) {
+    for (RationalCurve& curve : end_cap(at, e1, offset_.distance)) {
+      stroke_.branches.curves.push_back(std::move(curve));
+      stroke_.branches.behind.push_back(stroke_.branches.curves.size());
+      stroke_.centers.emplace_back(at);
+    }
+  }
+
+  const PhPath& path_;
+  const Offset& offset_;
+  Stroke stroke_;
+};
+
+/// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
+std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
+  if (center) return fmt::format("circle {} {}", to_string((*center)[0]), to_string((*center)[1]));
+  const Vector<Rational> from = point(curve, 0);
+  const Vector<Rational> to = point(curve, 1);
+  if (degree(curve) == 1 && curve.weight().is_constant()) {
+    // a·x + b·y = c, of which the first coefficient that is not 0 is 1.
+    Rational a = from[1] - to[1];
+    Rational b = to[0] - from[0];
+    Rational c = a * from[0] + b * from[1];
+    const Rational unit = a != 0 ? a : b;
+    return fmt::format("line {} {} {}", to_string(a / unit), to_string(b / unit),
+                       to_string(c / unit));
+  }
+  std::array<std::string, 3> names{to_string(from[0]) + " " + to_string(from[1]),
+                                   to_string(to[0]) + " " + to_string(to[1])};
+  std::sort(names.begin(), names.begin() + 2);
+  const Vector<Rational> middle = point(curve, Rational(1, 2));
+  return fmt::format("curve {} {} {} {}", names[0], names[1], to_string(middle[0]),
+                     to_string(middle[1]));
+}
+
+/// Where the curve goes through the point, inside.
+std::vector<RealAlgebraic> passages(const RationalCurve& curve, const Vector<Rational>& at) {
+  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
+  std::vector<RealAlgebraic> found;
+  const Polynomial common = gcd(gap(0), gap(1));
+  if (common.is_constant()) return found;
+  for (const RealRoot& root : real_roots(common, open(0, 1))) found.push_back(root.at);
+  return found;
+}
+
+/// Sets that are joined.
+class Classes {
+ public:
+  std::size_t add() { return parents_.emplace_back(parents_.size()); }
+  std::size_t of(std::size_t x) {
+    while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
+    return x;
+  }
+  void join(std::size_t a, std::size_t b) { parents_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/// A place of a piece at which its distance from the path may change.
+struct Event {
+  Real t;
+  RealBall ball;          ///< around t
+  std::size_t place;      ///< a class: one point of the plane
+  bool is_fuzzy = false;  ///< may it be none, or several?
+};
+
+/// Events of a piece that are not told apart.
+struct Cluster {
+  std::vector<Event> events;
+  Rational lower;
+  Rational upper;
+  /// The one that is known best.
+  const Event& best() const {
+    const auto rank = [](const Event& x) { return x.t.exact() ? 0 : x.is_fuzzy ? 2 : 1; };
+    return *std::ranges::min_element(events, {}, rank);
+  }
+  bool is_fuzzy() const {
+    return std::ranges::any_of(events, [](const Event& x) { return x.is_fuzzy; });
+  }
+};
+
+/// A part that is left, between two classes.
+struct Edge {
+  OffsetPart part;
+  std::size_t from;
+  std::size_t to;
+  bool is_used = false;
+};
+
+class Trimmer {
+ public:
+  Trimmer(const PhPath& path, const Rational& d)
+      : path_(path),
+        result_{phrame::offset(path, d), {}, {}},
+        own_(result_.offset.pieces.size()),
+        stroke_(StrokeMaker(path, result_.offset).make()),
+        series_(std::make_shared<const CurveSeries>(
+            plane_series(stroke_.branches.curves, stroke_.branches.behind))),
+        distance_(path, d),
+        events_(own_) {}
+
+  TrimmedOffset make() {
+    add_ends();
+    add_cusps();
+    find_coincidences();
+    add_crossings();
+    for (std::size_t k = 0; k < own_; ++k) add_edges(k);
+    chain();
+    return std::move(result_);
+  }
+
+ private:
+  void add_event(std::size_t piece, Real t, std::size_t place) {
+    if (piece >= own_) return;
+    RealBall ball = t.enclose(place_bits);
+    events_[piece].push_back({std::move(t), std::move(ball), place});
+  }
+  void add_fuzzy(const CurvePart& part, std::size_t place) {
+    if (part.segment >= own_) return;
+    const Rational lower = exact_sum(part.lower, 0).midpoint();
+    const Rational upper = exact_sum(part.upper, 0).midpoint();
+    events_[part.segment].push_back(
+        {Real((lower + upper) / 2), hull(lower, upper, 64), place, true});
+  }
+
+  void add_ends() {
+    for (std::size_t k = 0; k < own_; ++k) {
+      starts_.push_back(classes_.add());
+      ends_.push_back(classes_.add());
+      add_event(k, Rational(0), starts_[k]);
+      add_event(k, Rational(1), ends_[k]);
+    }
+    for (std::size_t k = 0; k < own_; ++k)
+      if (const std::size_t behind = stroke_.branches.behind[k]; behind < own_)
+        classes_.join(ends_[k], starts_[behind]);
+  }
+
+  void add_cusps() {
+    for (std::size_t k = 0; k < own_; ++k)
+      for (const RealAlgebraic& t : series_->turning[k].reversals)
+        add_event(k, to_real(t), classes_.add());
+  }
+
+  void find_coincidences() {
+    std::map<std::string, std::vector<std::size_t>> carriers;
+    for (std::size_t k = 0; k < stroke_.branches.curves.size(); ++k)
+      carriers[carrier_of(stroke_.branches.curves[k], stroke_.centers[k])].push_back(k);
+    for (const auto& [name, pieces] : carriers)
+      for (const std::size_t a : pieces)
+        for (const std::size_t b : pieces)
+          if (a != b && coincide(a, b)) add_coincidence(a, b);
+  }
+
+  /// Lines and circles do, if they have one name; of other curves it is checked.
+  bool coincide(std::size_t a, std::size_t b) const {
+    const RationalCurve& p = stroke_.branches.curves[a];
+    const RationalCurve& q = stroke_.branches.curves[b];
+    if (stroke_.centers[a] || (degree(p) == 1 && p.weight().is_constant())) return true;
+    const auto is_same = [&](const Polynomial& t) {
+      return std::ranges::all_of(std::array{0U, 1U}, [&](unsigned k) {
+        return p.numerator()[k] * compose(q.weight(), t) ==
+               compose(q.numerator()[k], t) * p.weight();
+      });
+    };
+    return is_same({0, 1}) || is_same({1, -1});
+  }
+
+  void add_coincidence(std::size_t a, std::size_t b) {
+    coincident_.insert({a, b});
+    if (a >= own_) return;
+    for (const long end : {0L, 1L}) {
+      const std::size_t place = b >= own_ ? classes_.add() : end == 0 ? starts_[b] : ends_[b];
+      for (const RealAlgebraic& t :
+           passages(stroke_.branches.curves[a], point(stroke_.branches.curves[b], end)))
+        add_event(a, to_real(t), place);
+    }
+  }
+
+  void add_crossings() {
+    CrossingQuery query;
+    query.is_idle = [&](const CurveNode& node) { return distance_.covers(turned(node.box)); };
+    query.are_idle = [&](const CurveNode& a, const CurveNode& b) {
+      if (a.first_segment >= own_ && b.first_segment >= own_) return true;
+      return a.is_arc() && b.is_arc() && coincident_.contains({a.first_segment, b.first_segment});
+    };
+    const SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
+    if (found.is_cut_off)
+      throw Undecided("trimmed_offset: too many branches of the offset touch each other");
+    for (const Crossing& x : found.found) {
+      const std::size_t place = classes_.add();
+      const auto [s, t] = parameters(x);
+      add_event(x.first_segment, s, place);
+      add_event(x.second_segment, t, place);
+    }
+    for (const auto& [first, second] : found.undecided) {
+      const std::size_t place = classes_.add();
+      add_fuzzy(first, place);
+      add_fuzzy(second, place);
+    }
+  }
+
+  /// The tree looks along z, from where x is the second axis and −y the first one.
+  static PlaneBox turned(const PlaneBox& box) {
+    return {box[1], DoubleInterval{-box[0].upper, -box[0].lower}};
+  }
+
+  std::pair<Real, Real> parameters(const Crossing& x) const {
+    const RationalCurve& a = stroke_.branches.curves[x.first_segment];
+    const RationalCurve& b = stroke_.branches.curves[x.second_segment];
+    // Rational, where both are lines and often else.
+    const auto [s, t] = narrowed(*series_, x, 2 * place_bits);
+    const Rational p = simplest_between(s.lower(), s.upper());
+    const Rational q = simplest_between(t.lower(), t.upper());
+    if (bits_of(p) + bits_of(q) < 2 * place_bits && point(a, p) == point(b, q))
+      return {Real(p), Real(q)};
+    const auto real = [&](bool is_first) {
+      Crossing near = x;
+      near.first_t = s;
+      near.second_t = t;
+      return remembered(Real(Real::Enclosure([series = series_, near, is_first](long bits) {
+        const auto both = narrowed(*series, near, bits);
+        return is_first ? both.first : both.second;
+      })));
+    };
+    return {real(true), real(false)};
+  }
+
+  std::vector<Cluster> clusters(std::size_t piece) {
+    std::vector<Event>& events = events_[piece];
+    std::ranges::sort(events, {}, [](const Event& x) { return x.ball.lower(); });
+    std::vector<Cluster> found;
+    for (Event& x : events) {
+      const Rational lower = x.ball.lower();
+      const Rational upper = x.ball.upper();
+      if (found.empty() || lower > found.back().upper) {
+        found.push_back({{std::move(x)}, lower, upper});
+        continue;
+      }
+      classes_.join(found.back().events.front().place, x.place);
+      found.back().upper = std::max(found.back().upper, upper);
+      found.back().events.push_back(std::move(x));
+    }
+    return found;
+  }
+
+  bool is_left(std::size_t piece, const Rational& t) const {
+    const OffsetPiece& of = result_.offset.pieces[piece];
+    const Vector<Rational> at = point(of.curve, t);
+    return !(of.is_join ? distance_.is_nearer(at) : distance_.is_nearer(at, of.segment, t));
+  }
+
+  void add_edges(std::size_t piece) {
+    const std::vector<Cluster> places = clusters(piece);
+    std::vector<bool> left;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const Rational quarter = (places[k + 1].lower - places[k].upper) / 4;
+      left.push_back(is_left(
+          piece, simplest_between(places[k].upper + quarter, places[k + 1].lower - quarter)));
+    }
+    std::optional<std::size_t> from;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const bool before = k > 0 && left[k - 1];
+      const bool after = k < left.size() && left[k];
+      if (before == after && k > 0 && k < left.size()) {
+        add_undecided(piece, places[k], before);
+        continue;
+      }
+      if (before) add_edge(piece, places[*from], places[k]);
+      if (after) from = k;
+    }
+  }
+
+  void add_edge(std::size_t piece, const Cluster& from, const Cluster& to) {
+    edges_.push_back(
+        {{piece, from.best().t, to.best().t}, from.events.front().place, to.events.front().place});
+  }
+
+  /// Of what is alike on both sides.
+  void add_undecided(std::size_t piece, const Cluster& cluster, bool is_left) {
+    const auto& events = cluster.events;
+    const bool is_one = std::ranges::all_of(events, [&](const Event& x) {
+      return !x.is_fuzzy && x.t.exact() && x.t.exact() == events.front().t.exact();
+    });
+    if (!cluster.is_fuzzy() && (is_left || is_one || events.size() == 1)) return;
+    const RealBall t = hull(cluster.lower, cluster.upper, place_bits);
+    if (!is_left && is_covered(piece, t)) return;
+    result_.undecided.push_back({piece, t});
+  }
+
+  bool is_covered(std::size_t piece, const RealBall& t) const {
+    const Vector<BallPolynomial> r = series_->position(piece, t, 1, 128);
+    const auto interval = [](const RealBall& x) {
+      return DoubleInterval{-upper_double(subtract({}, x, 64)), upper_double(x)};
+    };
+    return distance_.covers({interval(r[0].coefficient(0)), interval(r[1].coefficient(0))});
+  }
+
+  /// Each edge is in one branch; those that begin where no other one ends are first.
+  void chain() {
+    std::multimap<std::size_t, std::size_t> starting;
+    std::map<std::size_t, long> surplus;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      Edge& edge = edges_[k];
+      edge.from = classes_.of(edge.from);
+      edge.to = classes_.of(edge.to);
+      starting.emplace(edge.from, k);
+      ++surplus[edge.from];
+      --surplus[edge.to];
+    }
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (!edges_[k].is_used && surplus[edges_[k].from] > 0) {
+        --surplus[edges_[k].from];
+        follow(k, starting);
+      }
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (!edges_[k].is_used) follow(k, starting);
+    std::ranges::stable_sort(result_.branches, {}, [](const TrimmedBranch& branch) {
+      return branch.parts.front().piece;
+    });
+  }
+
+  void follow(std::size_t first, const std::multimap<std::size_t, std::size_t>& starting) {
+    TrimmedBranch branch{{}, false};
+    std::optional<std::size_t> next = first;
+    while (next) {
+      Edge& edge = edges_[*next];
+      edge.is_used = true;
+      branch.parts.push_back(edge.part);
+      branch.is_closed = edge.to == edges_[first].from;
+      next.reset();
+      if (branch.is_closed) break;
+      const auto [begin, end] = starting.equal_range(edge.to);
+      const auto unused =
+          std::find_if(begin, end, [&](const auto& x) { return !edges_[x.second].is_used; });
+      if (unused != end) next = unused->second;
+    }
+    result_.branches.push_back(std::move(branch));
+  }
+
+  const PhPath& path_;
+  TrimmedOffset result_;
+  std::size_t own_;
+  Stroke stroke_;
+  std::shared_ptr<const CurveSeries> series_;
+  PathDistance distance_;
+  std::vector<std::vector<Event>> events_;
+  std::vector<std::size_t> starts_;
+  std::vector<std::size_t> ends_;
+  Classes classes_;
+  std::set<std::pair<std::size_t, std::size_t>> coincident_;
+  std::vector<Edge> edges_;
+};
+
+/// Without the joins.
+std::vector<TrimmedBranch> opened(const TrimmedOffset& trimmed) {
+  std::vector<TrimmedBranch> found;
+  for (const TrimmedBranch& branch : trimmed.branches) {
+    const auto is_join = [&](const OffsetPart& part) {
+      return trimmed.offset.pieces[part.piece].is_join;
+    };
+    std::vector<OffsetPart> parts = branch.parts;
+    const auto first = std::ranges::find_if(parts, is_join);
+    const bool is_cut = first != parts.end();
+    if (branch.is_closed) std::rotate(parts.begin(), first, parts.end());
+    TrimmedBranch open{{}, branch.is_closed && !is_cut};
+    for (const OffsetPart& part : parts) {
+      if (!is_join(part)) open.parts.push_back(part);
+      if (is_join(part) && !open.parts.empty()) found.push_back(std::exchange(open, {{}, false}));
+    }
+    if (!open.parts.empty()) found.push_back(std::move(open));
+  }
+  return found;
+}
+
+}  // namespace
+
+TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin join) {
+  if (join == OffsetJoin::mitre)
+    throw DomainError("trimmed_offset: what is trimmed is joined by arcs or left open, not mitred");
+  require_no_turning_back(path);
+  TrimmedOffset found = Trimmer(path, d).make();
+  if (join == OffsetJoin::open) found.branches = opened(found);
+  return found;
+}
+
+}  // namespace phrame

@@ -1,0 +1,46 @@
+#pragma once
+#include "phrame/algebra/real.hpp"
+#include "phrame/ph/offset/offset.hpp"
+
+namespace phrame {
+
+/// A part of a piece of an offset, from where it is cut or joined to where it is again.
+struct OffsetPart {
+  std::size_t piece;  ///< of the offset
+  Real from;          ///< its parameter in [0, 1], exact where that is known to be rational
+  Real to;            ///< likewise, greater
+};
+
+/// Parts of which each starts where the one before ends.
+struct TrimmedBranch {
+  std::vector<OffsetPart> parts;  ///< at least one
+  bool is_closed;                 ///< does the first one start where the last one ends?
+};
+
+/// A stretch [from, to] of a piece of which it is not told whether it is nearer than |d|, or where
+/// the offset may touch itself without being cut.
+struct UndecidedStretch {
+  std::size_t piece;  ///< of the offset
+  RealBall t;         ///< all of it
+};
+
+/// What is left of an offset without all that is nearer to the path than |d|.
+struct TrimmedOffset {
+  Offset offset;                            ///< all of it, with round joins
+  std::vector<TrimmedBranch> branches;      ///< by the places where they start
+  std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch or coincide
+};
+
+/// The offset of a path in a plane z = const, joined at corners by arcs or, where that is asked
+/// for, left open there, without all points that are nearer to any point of the path than |d|. That
+/// is cut at crossings of the offset with itself, with that to the other side and with the
+/// half-circles about the ends of an open path, and at cusps, all of which are found with proof;
+/// between these the distance of one rational point is compared with |d|, exactly. Where branches
+/// coincide they are at the distance |d| from both sides, and both are left. Throws DomainError as
+/// offset(), and for a path that turns back at a cusp and mitres; Undecided where so many branches
+/// touch that the search is cut off. Cost: pairs of short arcs whose boxes meet, where no point of
+/// the path is seen to be nearer.
+TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
+                             OffsetJoin join = OffsetJoin::round);
+
+}  // namespace phrame

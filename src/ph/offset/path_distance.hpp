@@ -1,0 +1,39 @@
+#pragma once
+#include "phrame/ph/curve/curve_arc.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
+
+namespace phrame {
+
+/// What is nearer to a path in a plane z = const than |d|.
+class PathDistance {
+ public:
+  /// Precondition: the path is in such a plane, d ≠ 0.
+  PathDistance(const PhPath& path, const Rational& d);
+
+  /// Is a point of the path nearer to this one than |d|? Decided exactly, at a distance of |d| to
+  /// some points, too.
+  bool is_nearer(const Vector<Rational>& at) const;
+  /// The same, where it is known that segment is at the distance |d| at t, along the normal there.
+  bool is_nearer(const Vector<Rational>& at, std::size_t segment, const Rational& t) const;
+  /// Is one point of the path seen to be nearer than |d| to all points of the box? Doubles, with
+  /// their errors, decide that; false says nothing.
+  bool covers(const PlaneBox& box) const;
+
+ private:
+  struct Part {
+    Polynomial x;                               ///< of the position
+    Polynomial y;                               ///< likewise
+    std::vector<std::array<double, 2>> points;  ///< some of its points, rounded
+    PlaneBox box;                               ///< all of it
+  };
+
+  bool is_nearer(const Vector<Rational>& at, const Part& part, const Polynomial& known) const;
+
+  Rational squared_;  ///< d²
+  double reach_;      ///< a little more than |d|
+  double certain_;    ///< a little less than d²
+  double error_;      ///< of the square of a distance, by rounding
+  std::vector<Part> parts_;
+};
+
+}  // namespace phrame
