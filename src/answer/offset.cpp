@@ -5,6 +5,8 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
+#include "phrame/ph/offset/offset_trim.hpp"
+#include "phrame/ph/offset/trim_measure.hpp"
 
 namespace phrame {
 namespace {
@@ -91,15 +93,94 @@ class OffsetReport {
   long digits_;
 };
 
+/// What is said of one that is trimmed.
+class TrimReport {
+ public:
+  TrimReport(const PhPath& path, const TrimmedOffset& trimmed, long digits)
+      : path_(path), trimmed_(trimmed), digits_(digits) {}
+
+  OffsetAnswer::Trimmed make() const {
+    OffsetAnswer::Trimmed report{trimmed_.offset.distance, {}, {}};
+    for (const TrimmedBranch& branch : trimmed_.branches) report.branches.push_back(make(branch));
+    for (const UndecidedStretch& x : trimmed_.undecided) {
+      const auto end = [&](const Rational& t) {
+        return round_to_decimal(parameter(x.piece, Real(t)), 12);
+      };
+      report.undecided.push_back({{end(x.t.lower()), end(x.t.upper())}, is_join(x.piece)});
+    }
+    return report;
+  }
+
+ private:
+  bool is_join(std::size_t piece) const { return trimmed_.offset.pieces[piece].is_join; }
+
+  OffsetAnswer::Branch make(const TrimmedBranch& branch) const {
+    OffsetAnswer::Branch report{branch.is_closed, {}, paths(trimmed_, branch, digits_), {}, {}};
+    const std::size_t count = branch.parts.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const OffsetPart& part = branch.parts[k];
+      report.pieces.push_back({end(part.piece, part.from), end(part.piece, part.to),
+                               is_join(part.piece), part.from.exact() != Rational(0),
+                               part.to.exact() != Rational(1)});
+    }
+    const BranchMeasure size = phrame::measure(path_, trimmed_, branch);
+    report.length = measure(size.length, "the length of a branch");
+    if (size.area) report.area = measure(*size.area, "the area of a branch");
+    return report;
+  }
+
+  OffsetAnswer::Measure measure(const Real& x, const std::string& name) const {
+    OffsetAnswer::Measure found{std::nullopt, rounded(x, name)};
+    if (x.exact()) found.exact = exact_value(*x.exact());
+    return found;
+  }
+
+  /// Where a cut is undecided with its radius.
+  Decimal rounded(const Real& x, const std::string& name) const {
+    constexpr long bits = 128;
+    const RealBall near = x.exact() ? RealBall() : x.enclose(bits);
+    if (x.exact() || near.is_accurate(bits / 2)) return rounded_or_zero(x, name, digits_);
+    return decimal_of(near);
+  }
+
+  Real parameter(std::size_t piece, const Real& t) const {
+    const OffsetPiece& of = trimmed_.offset.pieces[piece];
+    if (!of.is_join) return t + Real(Rational(static_cast<long>(of.segment)));
+    return of.segment == 0 ? path_.end() : Rational(static_cast<long>(of.segment));
+  }
+
+  OffsetAnswer::End end(std::size_t piece, const Real& t) const {
+    const RationalCurve& curve = trimmed_.offset.pieces[piece].curve;
+    const auto at = [&](std::size_t k) {
+      const RationalFunction x(curve.numerator()[k], curve.weight());
+      const Real value = t.exact() ? Real(x(*t.exact())) : Real(Real::Enclosure([&](long bits) {
+        return evaluate(x, t.enclose(bits + 32), bits + 64);
+      }));
+      return rounded(value, "a point of the offset");
+    };
+    const Real of_path = parameter(piece, t);
+    return {of_path, rounded(of_path, "t of a cut"), {at(0), at(1)}};
+  }
+
+  const PhPath& path_;
+  const TrimmedOffset& trimmed_;
+  long digits_;
+};
+
 }  // namespace
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
   const auto path = named.path.ph();
   if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        OffsetReport(*path, offset(*path, d, query.join), query.digits).make());
+  if (query.trim)
+    for (const Rational& d : query.distances)
+      answer.trimmed.push_back(
+          TrimReport(*path, trimmed_offset(*path, d, query.join), query.digits).make());
+  else
+    for (const Rational& d : query.distances)
+      answer.offsets.push_back(
+          OffsetReport(*path, offset(*path, d, query.join), query.digits).make());
   return answer;
 }
 

@@ -11,7 +11,8 @@ namespace phrame {
 struct OffsetQuery {
   std::vector<Rational> distances;      ///< at least one, > 0 to the right of travel; not 0
   OffsetJoin join = OffsetJoin::round;  ///< at corners, on the outer side
-  long digits = 17;                     ///< of lengths and areas
+  long digits = 17;                     ///< of lengths and areas, and of places where it is cut
+  bool trim = false;                    ///< without what is nearer to the path than |d|?
 };
 
 /// The offsets of a path. A place on them is named by the parameter t of the path there.
@@ -62,13 +63,48 @@ struct OffsetAnswer {
     Measure length;                       ///< of all of it
     std::optional<Measure> area;          ///< signed, of a closed one
   };
-  NamedPath path;             ///< as asked
-  bool is_closed;             ///< is that closed?
-  OffsetJoin join;            ///< as asked
-  std::vector<Part> offsets;  ///< in the order of the distances
+  /// An end of a part of a trimmed offset.
+  struct End {
+    Real t;                     ///< of the path, exact where that is known to be rational
+    Decimal rounded;            ///< to the digits asked for
+    std::array<Decimal, 2> at;  ///< x and y
+  };
+  /// What is left of the offset of one segment, or of what joins those at a corner.
+  struct TrimmedPiece {
+    End from;          ///< at a corner its t is that of the corner
+    End to;            ///< likewise
+    bool is_join;      ///< is it what joins the offsets there?
+    bool is_cut_from;  ///< is the start one where the offset is cut?
+    bool is_cut_to;    ///< is the end?
+  };
+  /// What is left of it, as long as it goes on.
+  struct Branch {
+    bool is_closed;                    ///< is it a loop?
+    std::vector<TrimmedPiece> pieces;  ///< one after the other
+    std::vector<Path> paths;           ///< it, in several where it turns back at a cut
+    Measure length;                    ///< of all of it
+    std::optional<Measure> area;       ///< of a closed one, > 0 where it goes round to the left
+  };
+  /// A stretch of which it is not told whether it is nearer than |d|.
+  struct UndecidedStretch {
+    std::array<Decimal, 2> t;  ///< from and to
+    bool is_join;              ///< is it on what joins the offsets at the corner there?
+  };
+  /// One of the offsets, trimmed.
+  struct Trimmed {
+    Rational distance;                        ///< as asked
+    std::vector<Branch> branches;             ///< by the places where they start
+    std::vector<UndecidedStretch> undecided;  ///< where branches touch or coincide
+  };
+  NamedPath path;                     ///< as asked
+  bool is_closed;                     ///< is that closed?
+  OffsetJoin join;                    ///< as asked
+  std::vector<Part> offsets;          ///< in the order of the distances, if they are not trimmed
+  std::vector<Trimmed> trimmed = {};  ///< in that order, if they are
 };
 
-/// Throws DomainError for a path that is not PH or in no plane z = const, and for a distance 0.
+/// Throws DomainError for a path that is not PH or in no plane z = const, for a distance 0, and as
+/// trimmed_offset().
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 
 }  // namespace phrame

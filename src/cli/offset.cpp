@@ -11,6 +11,7 @@ struct OffsetOptions {
   CurveOptions curve;
   std::vector<std::string> distances;
   std::string join = "round";
+  bool trim = false;
   std::string print = "text";
   TextLength length;
   std::string output;
@@ -18,11 +19,14 @@ struct OffsetOptions {
 };
 
 OffsetQuery query(const OffsetOptions& options) {
-  OffsetQuery query{{}, choose("--join", options.join, offset_joins()), options.digits};
+  OffsetQuery query{
+      {}, choose("--join", options.join, offset_joins()), options.digits, options.trim};
   for (const std::string& text : split(options.distances)) {
     query.distances.push_back(parse_option("--distance", text));
     if (query.distances.back() == 0) throw InputError("--distance", "0 is no distance");
   }
+  if (query.trim && query.join == OffsetJoin::mitre)
+    throw InputError("--trim", "what is trimmed is joined by arcs or left open, not mitred");
   return query;
 }
 
@@ -49,6 +53,8 @@ void add_offset(Program& program) {
   command.add_choice("--join", options->join, keys(offset_joins()),
                      "what joins the offsets at a corner on its outer side: round (default),\n"
                      "exact arcs; mitre, the tangents; open, nothing");
+  command.add_flag("--trim", options->trim,
+                   "cut away what is nearer to the path than |d|, by exact tests");
   add_digits(command, options->digits);
   command.add_option("-o,--output", "FILE", options->output,
                      "write the offset to this file, beside the report; several paths a line each");
@@ -60,11 +66,13 @@ void add_offset(Program& program) {
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
       "are all found, and so are the places where it meets itself, but for those that are said to\n"
-      "be undecided. Nothing is cut away: what is nearer to the path than |d| is still there.\n"
+      "be undecided. With --trim what is nearer to the path than |d| is cut away, and the report\n"
+      "has the branches that are left, in place of cusps and meetings.\n"
       "Behind a cusp at which the path turns back it is on the other side of travel.\n"
       "Examples:\n"
       "  phrame offset curve.json --distance 1/2\n"
       "  phrame offset spline.json --distance 1/2,-1/3 --join mitre --print json\n"
+      "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
   command.does([options] { run(*options); });
 }

@@ -134,28 +134,26 @@ Value stretches_value(const Part& part) {
   return {Value::Rows(rows), [&part, json] { return array_of(part.stretches, json); }};
 }
 
-Value paths_value(const Part& part) {
+Value paths_value(const std::vector<Path>& paths) {
   const auto rows = [&](Notation) {
     std::vector<std::string> list;
-    for (const Path& path : part.paths) list.push_back(heading(NamedPath("", path)));
+    for (const Path& path : paths) list.push_back(heading(NamedPath("", path)));
     return list;
   };
   const auto json = [](const Path& path) { return json_of(NamedPath("", path)); };
-  return {Value::Rows(rows), [&part, json] { return array_of(part.paths, json); }};
+  return {Value::Rows(rows), [&paths, json] { return array_of(paths, json); }};
 }
 
-std::string side(const Part& part) {
-  return part.distance > 0 ? "to the right of travel" : "to the left of travel";
+Field distance_field(const Rational& d) {
+  const auto words = [&](Notation notation) {
+    return in_words(d, notation) + (d > 0 ? ", to the right of travel" : ", to the left of travel");
+  };
+  return {"distance", "distance $d$", {Value::Words(words), [&] { return json_of(d); }}};
 }
 
 Fields fields(const Part& part) {
-  Fields fields{{"distance",
-                 "distance $d$",
-                 {Value::Words([&](Notation notation) {
-                    return in_words(part.distance, notation) + ", " + side(part);
-                  }),
-                  [&] { return json_of(part.distance); }}},
-                {"paths", "exact", paths_value(part)},
+  Fields fields{distance_field(part.distance),
+                {"paths", "exact", paths_value(part.paths)},
                 {"cusps", "cusp, $1 + dκ = 0$", cusps_value(part)},
                 {"self_intersections", "meets itself", meetings_value(part)},
                 {"inner_corners", "inner corner", corners_value(part)},
@@ -163,6 +161,95 @@ Fields fields(const Part& part) {
                 {"stretches", "  stretch", stretches_value(part)}};
   if (part.area) fields.push_back({"area", "signed area", measure_value(*part.area)});
   return fields;
+}
+
+std::string in_words(const OffsetAnswer::End& end, bool is_join, Notation notation) {
+  const std::string t =
+      end.t.exact() ? in_words(*end.t.exact(), notation) : in_words(end.rounded, Notation::unicode);
+  return (is_join ? "the join at " : "") + at(t, notation);
+}
+
+JsonOutput json_of(const OffsetAnswer::End& end) {
+  return {{"t", json_of(end.t, end.rounded)}, {"point", {json_of(end.at[0]), json_of(end.at[1])}}};
+}
+
+/// From cut to cut.
+Value stretches_value(const OffsetAnswer::Branch& branch) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    const auto& pieces = branch.pieces;
+    const auto is_cut_behind = [&](std::size_t k) {
+      return pieces[k].is_cut_to || pieces[(k + 1) % pieces.size()].is_cut_from;
+    };
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (k + 1 < pieces.size() && !is_cut_behind(k)) continue;
+      list.push_back(fmt::format("from {} to {}",
+                                 in_words(pieces[first].from, pieces[first].is_join, notation),
+                                 in_words(pieces[k].to, pieces[k].is_join, notation)));
+      if (k + 1 < pieces.size() || (branch.is_closed && is_cut_behind(k)))
+        list.back() +=
+            formula(fmt::format(", cut in ({}, {})", with_minus_sign(pieces[k].to.at[0].value),
+                                with_minus_sign(pieces[k].to.at[1].value)),
+                    notation);
+      first = k + 1;
+    }
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const auto& piece : branch.pieces)
+      list.push_back(
+          {{"from", json_of(piece.from)}, {"to", json_of(piece.to)}, {"join", piece.is_join}});
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+Fields fields(const OffsetAnswer::Branch& branch) {
+  Fields fields{json_field("closed", branch.is_closed),
+                {"paths", "branch", paths_value(branch.paths)},
+                {"parts", "  stretch", stretches_value(branch)},
+                {"length", "  length", measure_value(branch.length)}};
+  if (branch.area) fields.push_back({"area", "  signed area", measure_value(*branch.area)});
+  return fields;
+}
+
+Value undecided_value(const OffsetAnswer::Trimmed& part) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (const auto& [t, is_join] : part.undecided)
+      list.push_back((is_join ? "near the join at " : "near ") + at(t[0].value, notation));
+    return list;
+  };
+  const auto json = [&] {
+    JsonOutput list = JsonOutput::array();
+    for (const auto& [t, is_join] : part.undecided)
+      list.push_back({{"from", json_of(t[0])}, {"to", json_of(t[1])}, {"join", is_join}});
+    return list;
+  };
+  return {Value::Rows(rows), json};
+}
+
+/// In words one after the other; in JSON a list.
+Fields fields(const OffsetAnswer::Trimmed& part) {
+  Fields list{distance_field(part.distance)};
+  const auto json = [&] {
+    JsonOutput branches = JsonOutput::array();
+    for (const auto& branch : part.branches) branches.push_back(json_of(fields(branch)));
+    return branches;
+  };
+  const auto none = [&](Notation) {
+    std::vector<std::string> words;
+    if (part.branches.empty()) words.emplace_back("none: all of it is nearer to the path than |d|");
+    return words;
+  };
+  list.push_back({"branches", "branch", {Value::Rows(none), json}});
+  for (const auto& branch : part.branches)
+    for (Field& field : fields(branch))
+      if (!field.label.empty()) list.push_back({"", field.label, std::move(field.value)});
+  list.push_back({"undecided", "undecided", undecided_value(part)});
+  return list;
 }
 
 }  // namespace
@@ -175,23 +262,22 @@ std::string to_text(const OffsetAnswer& answer) {
   const std::string signs = notes_on_signs(*answer.path.path.ph());
   if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
   for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
+  for (const auto& part : answer.trimmed) text += "\n" + to_rows(fields(part), width);
   return text;
 }
 
 std::string to_json(const OffsetAnswer& answer) {
-  JsonOutput json = {{"phrame", "offset/1"},
-                     {"name", answer.path.name},
-                     {"closed", answer.is_closed},
-                     {"join", name_of(answer.join)},
-                     {"offsets", array_of(answer.offsets,
-                                          [](const Part& part) { return json_of(fields(part)); })}};
-  add_nearness(json, answer.path.near);
+  const auto offset = [](const auto& part) { return json_of(fields(part)); };
+  JsonOutput json = {
+    {"phrame", "offset/1"}, {"name", answer.path.name}, {"closed", answer.is_closed},
+    {"join", name_of(answer.join)}, @ @add_nearness(json, answer.path.near);
   return pretty(json);
 }
 
 std::string to_latex(const OffsetAnswer& answer) {
   std::string text;
   for (const Part& part : answer.offsets) text += to_align(fields(part));
+  for (const auto& part : answer.trimmed) text += to_align(fields(part));
   return text;
 }
 
@@ -199,6 +285,9 @@ std::string write_offsets(const OffsetAnswer& answer) {
   std::vector<NamedPath> paths;
   for (const Part& part : answer.offsets)
     for (const Path& path : part.paths) paths.emplace_back(answer.path.name, path);
+  for (const auto& part : answer.trimmed)
+    for (const auto& branch : part.branches)
+      for (const Path& path : branch.paths) paths.emplace_back(answer.path.name, path);
   return write_paths(paths);
 }
 

@@ -92,14 +92,6 @@ class OffsetMaker {
 int first_sign(const OffsetPiece& piece) { return sign_after_zero(piece.curve.multiplier()); }
 int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.multiplier()); }
 
-/// A straight line of constant weight as the PH curve that it is.
-Segment segment_of(const RationalCurve& curve) {
-  if (!curve.weight().is_constant()) return curve;
-  auto found = identify(hodograph(curve), point(curve, 0));
-  if (auto* ph = std::get_if<Curve>(&found)) return PhSegment(std::move(*ph));
-  return curve;
-}
-
 std::size_t next_of(const Offset& offset, std::size_t k) { return (k + 1) % offset.pieces.size(); }
 
 bool goes_on_behind(const Offset& offset, std::size_t k) {
@@ -108,6 +100,13 @@ bool goes_on_behind(const Offset& offset, std::size_t k) {
 }
 
 }  // namespace
+
+Segment segment_of(const RationalCurve& curve) {
+  if (!curve.weight().is_constant()) return curve;
+  auto found = identify(hodograph(curve), point(curve, 0));
+  if (auto* ph = std::get_if<Curve>(&found)) return PhSegment(std::move(*ph));
+  return curve;
+}
 
 RationalCurve offset(const Curve& curve, const Rational& d) {
   require_distance(d);

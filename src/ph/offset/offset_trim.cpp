@@ -7,7 +7,7 @@
 // of the path is seen to be nearer than |d| has no such place.
 //
 // Branches that coincide are lines, circles about one corner, or the same curve. One does not cross
-// the other, and the ends of each cut the other one.
+// the other, as parallel lines do not, and the ends of each cut the other one.
 #include "phrame/ph/offset/offset_trim.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +21,7 @@
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/path_distance.hpp"
 
@@ -95,12 +96,16 @@ class StrokeMaker {
   Stroke stroke_;
 };
 
+bool is_line(const RationalCurve& curve) {
+  return degree(curve) == 1 && curve.weight().is_constant();
+}
+
 /// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
 std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
   if (center) return fmt::format("circle {} {}", to_string((*center)[0]), to_string((*center)[1]));
   const Vector<Rational> from = point(curve, 0);
   const Vector<Rational> to = point(curve, 1);
-  if (degree(curve) == 1 && curve.weight().is_constant()) {
+  if (is_line(curve)) {
     // a·x + b·y = c, of which the first coefficient that is not 0 is 1.
     Rational a = from[1] - to[1];
     Rational b = to[0] - from[0];
@@ -187,6 +192,7 @@ class Trimmer {
   TrimmedOffset make() {
     add_ends();
     add_cusps();
+    find_parallels();
     find_coincidences();
     add_crossings();
     for (std::size_t k = 0; k < own_; ++k) add_edges(k);
@@ -205,7 +211,8 @@ class Trimmer {
     const Rational lower = exact_sum(part.lower, 0).midpoint();
     const Rational upper = exact_sum(part.upper, 0).midpoint();
     events_[part.segment].push_back(
-        {Real((lower + upper) / 2), hull(lower, upper, 64), place, true});
+        {Real([lower, upper](long bits) { return hull(lower, upper, bits); }),
+         hull(lower, upper, 64), place, true});
   }
 
   void add_ends() {
@@ -226,6 +233,16 @@ class Trimmer {
         add_event(k, to_real(t), classes_.add());
   }
 
+  void find_parallels() {
+    std::map<std::string, std::size_t> numbers;
+    for (const RationalCurve& curve : stroke_.branches.curves) {
+      const Vector<Rational> way = point(curve, 1) - point(curve, 0);
+      const std::string slope = way[0] == 0 ? "" : to_string(way[1] / way[0]);
+      parallels_.push_back(is_line(curve) ? numbers.emplace(slope, numbers.size() + 1).first->second
+                                          : 0);
+    }
+  }
+
   void find_coincidences() {
     std::map<std::string, std::vector<std::size_t>> carriers;
     for (std::size_t k = 0; k < stroke_.branches.curves.size(); ++k)
@@ -240,7 +257,7 @@ class Trimmer {
   bool coincide(std::size_t a, std::size_t b) const {
     const RationalCurve& p = stroke_.branches.curves[a];
     const RationalCurve& q = stroke_.branches.curves[b];
-    if (stroke_.centers[a] || (degree(p) == 1 && p.weight().is_constant())) return true;
+    if (stroke_.centers[a] || is_line(p)) return true;
     const auto is_same = [&](const Polynomial& t) {
       return std::ranges::all_of(std::array{0U, 1U}, [&](unsigned k) {
         return p.numerator()[k] * compose(q.weight(), t) ==
@@ -266,7 +283,10 @@ class Trimmer {
     query.is_idle = [&](const CurveNode& node) { return distance_.covers(turned(node.box)); };
     query.are_idle = [&](const CurveNode& a, const CurveNode& b) {
       if (a.first_segment >= own_ && b.first_segment >= own_) return true;
-      return a.is_arc() && b.is_arc() && coincident_.contains({a.first_segment, b.first_segment});
+      if (!a.is_arc() || !b.is_arc()) return false;
+      const std::size_t direction = parallels_[a.first_segment];
+      if (direction != 0 && direction == parallels_[b.first_segment]) return true;
+      return coincident_.contains({a.first_segment, b.first_segment});
     };
     const SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
     if (found.is_cut_off)
@@ -356,6 +376,8 @@ class Trimmer {
   }
 
   void add_edge(std::size_t piece, const Cluster& from, const Cluster& to) {
+    for (const Cluster* end : {&from, &to})
+      if (end->best().is_fuzzy) result_.undecided.push_back({piece, end->best().ball});
     edges_.push_back(
         {{piece, from.best().t, to.best().t}, from.events.front().place, to.events.front().place});
   }
@@ -432,6 +454,7 @@ class Trimmer {
   std::vector<std::size_t> starts_;
   std::vector<std::size_t> ends_;
   Classes classes_;
+  std::vector<std::size_t> parallels_;  ///< one number for lines that are parallel, 0 for others
   std::set<std::pair<std::size_t, std::size_t>> coincident_;
   std::vector<Edge> edges_;
 };

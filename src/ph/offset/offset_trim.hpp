@@ -17,8 +17,9 @@ struct TrimmedBranch {
   bool is_closed;                 ///< does the first one start where the last one ends?
 };
 
-/// A stretch [from, to] of a piece of which it is not told whether it is nearer than |d|, or where
-/// the offset may touch itself without being cut.
+/// A stretch of a piece of which it is not told whether it is nearer than |d|, whether the offset
+/// touches itself there without being cut, or where in it it is cut. Then enclosures of the ends of
+/// parts that it is are no narrower.
 struct UndecidedStretch {
   std::size_t piece;  ///< of the offset
   RealBall t;         ///< all of it
@@ -42,5 +43,11 @@ struct TrimmedOffset {
 /// the path is seen to be nearer.
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);
+
+/// The branch as a path, in several where it turns back at a cut. It is the offset itself, exactly,
+/// where it is cut at rational parameters. Where it is cut elsewhere, the parameters are rounded to
+/// so many digits and some more, so that the parts are on the offset still, and the ends that meet
+/// there are moved to one point, by less than 10^−digits·|d|.
+std::vector<Path> paths(const TrimmedOffset& trimmed, const TrimmedBranch& branch, long digits);
 
 }  // namespace phrame

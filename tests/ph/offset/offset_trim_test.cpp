@@ -1,4 +1,4 @@
-#include "phrame/ph/offset/offset_trim.hpp"
+#include "phrame/ph/offset/trim_measure.hpp"
 
 #include <cmath>
 #include <complex>
@@ -93,6 +93,22 @@ Curve tame_curve(Random& random) {
   }
 }
 
+Curve line_between(const Vector<Rational>& from, const Vector<Rational>& to) {
+  const Vector<Rational> way = to - from;
+  return std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, from));
+}
+
+void append_lines(PhPath& path, const std::vector<Vector<Rational>>& points) {
+  for (const Vector<Rational>& to : points)
+    path.append(line_between(end_point(path.segments().back()), to));
+}
+
+PhPath lines(std::vector<Vector<Rational>> points) {
+  PhPath path(line_between(points[0], points[1]));
+  append_lines(path, {points.begin() + 2, points.end()});
+  return path;
+}
+
 /// Of some curves with corners, closed by a half-turn or quarters where that is asked for.
 PhPath random_path(Random& random, long turns) {
   for (;;) try {
@@ -165,6 +181,127 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
   });
   CHECK(branches >= 20);
   CHECK(undecided == 0);
+}
+
+TEST_CASE("offset_trim: a triangle of sides 3, 4, 5: lengths, areas, and nothing at its incircle") {
+  const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
+  // Similar to it, with the inradius 1 - d.
+  for (const Rational& d : {Rational(1, 3), Rational(1, 2), Rational(99, 100)}) {
+    const TrimmedOffset found = trimmed_offset(triangle, -d);
+    REQUIRE(found.branches.size() == 1);
+    CHECK(found.branches[0].is_closed);
+    CHECK(found.undecided.empty());
+    const BranchMeasure size = measure(triangle, found, found.branches[0]);
+    CHECK(size.length.exact() == 12 * (1 - d));
+    CHECK(size.area->exact() == 6 * (1 - d) * (1 - d));
+    const std::vector<Path> path = paths(found, found.branches[0], 10);
+    REQUIRE(path.size() == 1);
+    CHECK(path[0].is_closed());
+    CHECK(path[0].is_ph());
+  }
+  CHECK(trimmed_offset(triangle, -1).branches.empty());
+  CHECK(trimmed_offset(triangle, -2).branches.empty());
+  const TrimmedOffset outside = trimmed_offset(triangle, 2);
+  REQUIRE(outside.branches.size() == 1);
+  const BranchMeasure size = measure(triangle, outside, outside.branches[0]);
+  CHECK(round_to_decimal(size.length, 15).value == "24.5663706143592");  // 12 + 4 pi
+  CHECK(round_to_decimal(*size.area, 15).value == "42.5663706143592");   // 6 + 24 + 4 pi
+  CHECK(trimmed_offset(triangle, 2, OffsetJoin::open).branches.size() == 3);
+}
+
+TEST_CASE("offset_trim: two rooms behind a neck become islands, decided to 10^-30 of its width") {
+  // The neck is 2 wide: rooms of 10 by 10 on both sides of 4 of it.
+  const auto dumbbell = [](const Rational& half) {
+    return lines({{0, 0, 0},
+                  {10, 0, 0},
+                  {10, 5 - half, 0},
+                  {14, 5 - half, 0},
+                  {14, 0, 0},
+                  {24, 0, 0},
+                  {24, 10, 0},
+                  {14, 10, 0},
+                  {14, 5 + half, 0},
+                  {10, 5 + half, 0},
+                  {10, 10, 0},
+                  {0, 10, 0},
+                  {0, 0, 0}});
+  };
+  const Rational little = power_of_ten(-30);
+  CHECK(trimmed_offset(dumbbell(1 + little), -1).branches.size() == 1);
+  const PhPath narrow = dumbbell(1 - little);
+  const TrimmedOffset islands = trimmed_offset(narrow, -1);
+  REQUIRE(islands.branches.size() == 2);
+  CHECK(islands.undecided.empty());
+  for (const TrimmedBranch& island : islands.branches) {
+    CHECK(island.is_closed);
+    // 8 by 8, and a bay up to the neck: within 1 of it the corners keep it off.
+    const BranchMeasure size = measure(narrow, islands, island);
+    CHECK(approximate(*size.area) > 64);
+    CHECK(approximate(*size.area) < 65);
+  }
+  // Of that width it coincides with itself there, and both branches are left.
+  const TrimmedOffset exact = trimmed_offset(dumbbell(1), -1);
+  CHECK(exact.undecided.empty());
+  Real area = Rational(0);
+  for (const TrimmedBranch& branch : exact.branches)
+    area = area + *measure(dumbbell(1), exact, branch).area;
+  CHECK(approximate(area) > 128);
+}
+
+TEST_CASE("offset_trim: curved branches that miss each other by 10^-30, or cross by as much") {
+  // A bow that is lowest in its middle, and a line below it, one after the other on a path that
+  // goes round; at half the distance of both they touch.
+  const Curve bow({{1}, {}, {}, {-1, 2}}, Polynomial{6});
+  const Vector<Rational> end = end_point(bow);
+  const Rational lowest = position(bow)[1](Rational(1, 2));
+  const Rational d(1, 4);
+  for (const Rational& gap : {Rational(-1), Rational(0), Rational(1)}) {
+    const Rational floor = lowest - 2 * d - gap * power_of_ten(-30);
+    PhPath path(bow);
+    append_lines(path, {{end[0] + 9, end[1], 0}, {end[0] + 9, floor, 0}, {-9, floor, 0}});
+    const TrimmedOffset found = trimmed_offset(path, d);
+    // To the right of the bow, below it, and inside of the rest: two branches where it is shut.
+    CAPTURE(gap);
+    CHECK(found.branches.size() == (gap < 0 ? 2 : 1));
+    CHECK(found.undecided.empty() == (gap != 0));
+  }
+}
+
+TEST_CASE("offset_trim: law: areas and lengths are those of polygons through points") {
+  for_samples(6, [](Random& random) {
+    const PhPath path = random_path(random, 2);
+    const TrimmedOffset found =
+        trimmed_offset(path, Rational(random.integer(0, 1) == 0 ? -5 : 5, random.integer(1, 4)));
+    for (const TrimmedBranch& branch : found.branches) {
+      double length = 0;
+      double area = 0;
+      for (const auto& [piece, from, to] : branch.parts) {
+        const RationalCurve& curve = found.offset.pieces[piece].curve;
+        const double a = approximate(from);
+        const double b = approximate(to);
+        constexpr int count = 300;
+        Point last = at(curve, a);
+        for (int k = 1; k <= count; ++k) {
+          const Point next = at(curve, a + (b - a) * k / count);
+          length += std::abs(next - last);
+          area += (last.real() * next.imag() - last.imag() * next.real()) / 2;
+          last = next;
+        }
+      }
+      const BranchMeasure size = measure(path, found, branch);
+      CHECK(approximate(size.length) == doctest::Approx(length).epsilon(1e-3));
+      if (size.area) CHECK(std::abs(approximate(*size.area) - area) < 1e-3 * (length * length));
+    }
+  });
+}
+
+TEST_CASE("offset_trim: what cannot be is refused") {
+  const PhPath line = lines({{0, 0, 0}, {1, 0, 0}});
+  CHECK_THROWS_WITH_AS(trimmed_offset(line, 0), "offset: the distance is 0", DomainError);
+  CHECK_THROWS_WITH_AS(trimmed_offset(PhPath(Curve({{1}, {}, {}, {0, 1}}, Polynomial{1, -3})), 1),
+                       "trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3",
+                       DomainError);
+  CHECK_THROWS_AS(trimmed_offset(line, 1, OffsetJoin::mitre), DomainError);
 }
 
 }  // namespace offset_trim_test

@@ -1,0 +1,118 @@
+// With n × e₁ = 1, n′ = φ′e₁ and r × n′ = (r × n)′ + |r′| it is
+//   r_d × r_d′ = r × r′ + d·((r × n)′ + 2|r′|) + d²φ′,
+// and d·n = r_d − r, so that of a part the area and the length are
+//   [½∫ r × r′ + ½ r × r_d + d·s + ½d²φ],   [s + d·φ]:
+// functions of the parameter that are rational but for φ. On an arc r is the corner, and s = 0.
+#include "phrame/ph/offset/trim_measure.hpp"
+
+#include "phrame/ph/offset/plane_tangent.hpp"
+
+namespace phrame {
+namespace {
+
+/// f(t), exact where t is.
+Real value(const RationalFunction& f, const Real& t) {
+  if (t.exact()) return f(*t.exact());
+  return remembered(Real(
+      Real::Enclosure([f, t](long bits) { return evaluate(f, t.enclose(bits + 32), bits + 64); })));
+}
+
+/// The angle φ of H, continuous.
+class DirectionAngle {
+ public:
+  explicit DirectionAngle(const RationalCurve& curve)
+      : x_(curve.direction()[0]), y_(curve.direction()[1]) {
+    const Polynomial turn = x_ * differentiate(y_) - y_ * differentiate(x_);
+    is_straight_ = turn.is_zero();
+    if (!is_straight_) add_knots({turn, x_ * x_ + y_ * y_}, 0, 1);
+  }
+
+  /// φ(to) − φ(from).
+  Real between(const Real& from, const Real& to) const {
+    if (is_straight_) return Rational(0);
+    return remembered(Real(Real::Enclosure([*this, from, to](long bits) {
+      return subtract(from_start(to, bits + 16), from_start(from, bits + 16), bits);
+    })));
+  }
+
+ private:
+  /// Between two of them it turns by less than π.
+  void add_knots(const RationalFunction& rate, const Rational& a, const Rational& b) {
+    constexpr long bits = 64;
+    const RealBall turn =
+        multiply(evaluate(rate, hull(a, b, bits), bits), RealBall(b - a, bits), bits);
+    if (turn.is_finite() && turn.upper() < 3 && turn.lower() > -3) return knots_.push_back(b);
+    const Rational middle = (a + b) / 2;
+    add_knots(rate, a, middle);
+    add_knots(rate, middle, b);
+  }
+
+  RealBall turn(const RealBall& from, const RealBall& to, long bits) const {
+    const auto at = [&](const RealBall& t) {
+      return ComplexBall(evaluate(x_, t, bits), evaluate(y_, t, bits));
+    };
+    return argument(multiply(at(to), conjugate(at(from)), bits), bits);
+  }
+
+  RealBall from_start(const Real& t, long bits) const {
+    const RealBall end = t.enclose(bits + 32);
+    RealBall sum;
+    Rational last = 0;
+    for (const Rational& knot : knots_) {
+      if (end.midpoint() <= knot) break;
+      sum = add(sum, turn(RealBall(last, bits), RealBall(knot, bits), bits), bits);
+      last = knot;
+    }
+    return add(sum, turn(RealBall(last, bits), end, bits), bits);
+  }
+
+  Polynomial x_;
+  Polynomial y_;
+  bool is_straight_ = false;
+  std::vector<Rational> knots_ = {};
+};
+
+struct PartMeasure {
+  Real length;
+  Real area;
+};
+
+PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetPart& part) {
+  const OffsetPiece& piece = offset.pieces[part.piece];
+  const Curve& curve = path.segments()[piece.segment];
+  Vector<Polynomial> r{Polynomial{curve.start()[0]}, Polynomial{curve.start()[1]}, {}};
+  Polynomial s;
+  if (!piece.is_join) {
+    r = position(curve);
+    s = antiderivative(plane_tangent(curve).speed);
+  }
+  const auto change = [&](const RationalFunction& f) {
+    return value(f, part.to) + -value(f, part.from);
+  };
+  const Rational half(1, 2);
+  const Rational& d = offset.distance;
+  const auto& [x, y, z] = piece.curve.numerator();
+  const Real length = change(RationalFunction(s));
+  const Real angle = DirectionAngle(piece.curve).between(part.from, part.to);
+  const Polynomial inner = antiderivative(r[0] * differentiate(r[1]) - r[1] * differentiate(r[0]));
+  const RationalFunction area =
+      RationalFunction(half * inner) +
+      RationalFunction(half * (r[0] * y - r[1] * x), piece.curve.weight());
+  return {length + Real(d) * angle, change(area) + Real(d) * length + Real(half * d * d) * angle};
+}
+
+}  // namespace
+
+BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
+                      const TrimmedBranch& branch) {
+  Real length = Rational(0);
+  Real area = Rational(0);
+  for (const OffsetPart& part : branch.parts) {
+    const PartMeasure more = measure_part(path, trimmed.offset, part);
+    length = length + more.length;
+    area = area + more.area;
+  }
+  return {length, branch.is_closed ? std::optional(area) : std::nullopt};
+}
+
+}  // namespace phrame
