@@ -268,9 +268,15 @@ std::string to_text(const OffsetAnswer& answer) {
 
 std::string to_json(const OffsetAnswer& answer) {
   const auto offset = [](const auto& part) { return json_of(fields(part)); };
-  JsonOutput json = {
-    {"phrame", "offset/1"}, {"name", answer.path.name}, {"closed", answer.is_closed},
-    {"join", name_of(answer.join)}, @ @add_nearness(json, answer.path.near);
+  JsonOutput json = {{"phrame", "offset/1"},
+                     {"name", answer.path.name},
+                     {"closed", answer.is_closed},
+                     {"join", name_of(answer.join)}};
+  if (answer.trimmed.empty())
+    json["offsets"] = array_of(answer.offsets, offset);
+  else
+    json["trimmed"] = array_of(answer.trimmed, offset);
+  add_nearness(json, answer.path.near);
   return pretty(json);
 }
 
