@@ -42,6 +42,15 @@ template <std::size_t width>
 std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
                                                      const DoubleShape& shape, double y);
 
+/// Their derivatives by y, by Horner's rule in doubles: off by at most slope_error·steepness().
+template <std::size_t width>
+std::array<double, width> evaluate_slope(const double* coefficients, const DoubleShape& shape,
+                                         double y);
+inline constexpr double slope_error = 0x1p-45;
+/// Σ k²|coefficient of yᵏ| of all of them, not rounded down: a bound of first and second
+/// derivatives on |y| ≤ 1.
+double steepness(const std::vector<double>& coefficients, const DoubleShape& shape);
+
 /// A bound of what evaluate_compensated is off by on |y| ≤ 1 for polynomial number `which`, but for
 /// underflow; where p(0) = 0 the error is that times |y|. With paired = 1 it is of Horner's rule in
 /// doubles too: first + (second + y·(…)), where first and second are those of y⁰, with and without

@@ -79,6 +79,12 @@ inline DoubleDouble two_product(const SplitFactor& a, const SplitFactor& b) {
   return {product, error + a.low * b.low};
 }
 
+/// A number within `error` of the sum of two doubles.
+struct NearNumber {
+  DoubleDouble value;  ///< |low| is at most about an ulp of high
+  double error = 0;    ///< ≥ 0
+};
+
 // Sums and products up to about 2^−102 of the sum of the absolute values of their terms.
 
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
@@ -103,6 +109,11 @@ inline std::optional<double> common_double(const DoubleDouble& x, double error) 
   const double least = x.high + (x.low - radius);
   if (least == x.high + (x.low + radius)) return least;
   return std::nullopt;
+}
+
+/// The same of a number that is known so.
+inline std::optional<double> common_double(const NearNumber& x) {
+  return common_double(x.value, x.error);
 }
 
 }  // namespace phrame

@@ -115,6 +115,7 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
             !std::all_of(piece->coefficients.begin(), piece->coefficients.end(), is_finite))
           throw Undecided(
               fmt::format("piecewise polynomial: next to t = {} it is too large for doubles", low));
+        piece->steepness = steepness(piece->coefficients, shape);
         pieces_.push_back(std::move(*piece));
         ends_.push_back(high);
         right_ends.pop_back();
@@ -133,6 +134,42 @@ PiecewisePolynomial::PiecewisePolynomial(const std::vector<double>& ends, const 
   }
   make_cells();
 }
+
+// With y + z for the t and z = (low + rest)·scale, of which low·scale is known and |rest·scale| ≤
+// r: p(y + z) is p(y) + p′(y)·low·scale, off by at most steepness·(|z|² + r) and what p′ is. The
+// pieces are proved on all of |y| ≤ 1. Next to |y| = 1 y + z might be beyond that, and at a joint
+// the function another.
+template <std::size_t width>
+std::optional<NearValues<width>> near_values(const PiecewisePolynomial& polynomials,
+                                             const NearNumber& t) {
+  const double high = t.value.high;
+  if (!(polynomials.from() <= high && high <= polynomials.to())) return std::nullopt;
+  const PolynomialPiece& piece = polynomials.at(high);
+  const double y = piece.y(high);
+  const double z = t.value.low * piece.scale;
+  const double r = t.error * piece.scale;
+  const double most_z = std::abs(z) + r;
+  const bool is_double = t.value.low == 0 && t.error == 0;
+  if (!is_double && !(std::abs(y) <= 1 - 0x1p-30 && most_z <= 0x1p-31)) return std::nullopt;
+  const double* coefficients = piece.coefficients.data();
+  NearValues<width> near{evaluate_compensated<width>(coefficients, polynomials.shape(), y),
+                         piece.error + piece.error_per_y * (std::abs(y) + most_z)};
+  if (is_double || piece.steepness == 0) return near;
+  const auto slopes = evaluate_slope<width>(coefficients, polynomials.shape(), y);
+  double size = 0;
+  for (std::size_t k = 0; k < width; ++k) {
+    size += std::abs(near.values[k].high);
+    near.values[k] = two_sum(near.values[k].high, near.values[k].low + slopes[k] * z);
+  }
+  // The sums of the low parts round, too: by 2^−53 of what is not much above 2^−53·size +
+  // |z|·slope.
+  near.error += piece.steepness * (most_z * (2 * slope_error + most_z) + r) + size * 0x1p-104 +
+                underflow_error * (1 + piece.steepness);
+  near.error *= 1 + 0x1p-40;
+  return near;
+}
+template std::optional<NearValues<1>> near_values<1>(const PiecewisePolynomial&, const NearNumber&);
+template std::optional<NearValues<4>> near_values<4>(const PiecewisePolynomial&, const NearNumber&);
 
 PiecewisePolynomial PiecewisePolynomial::on_units(std::size_t n, const DoubleShape& shape,
                                                   const Make& make) {

@@ -20,6 +20,7 @@ struct PolynomialPiece {
   /// at y = 0, as what they stand for is.
   double error = 0;
   double error_per_y = 0;            ///< see error
+  double steepness = 0;              ///< of the coefficients, once it is one of several pieces
   std::vector<double> coefficients;  ///< as a DoubleShape says
 
   double y(double t) const { return (t - center) * scale; }  ///< of the parameter t
@@ -113,5 +114,17 @@ class PiecewisePolynomial {
 inline std::shared_ptr<const PiecewisePolynomial> shared(PiecewisePolynomial polynomials) {
   return std::make_shared<const PiecewisePolynomial>(std::move(polynomials));
 }
+
+/// Values of `width` functions, each within `error`, and so all together in the Euclidean norm.
+template <std::size_t width>
+struct NearValues {
+  std::array<DoubleDouble, width> values;
+  double error;
+};
+/// What the polynomials stand for at a t that need not be a double. No value outside of them, and
+/// next to the ends of some pieces. Width is 1 or 4, as that of the shape. In rounding to nearest.
+template <std::size_t width>
+std::optional<NearValues<width>> near_values(const PiecewisePolynomial& polynomials,
+                                             const NearNumber& t);
 
 }  // namespace phrame

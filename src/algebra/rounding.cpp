@@ -150,7 +150,32 @@ std::optional<double> common_double(const RealBall& x) {
 
 double round_to_double(const Real& x, PrecisionLimit limit) {
   if (x.exact()) return nearest_double(*x.exact());
-  return ziv(x, 53, limit, common_double);
+  return ziv(x, 53, limit, [](const RealBall& ball) { return common_double(ball); });
+}
+
+namespace {
+
+// n − high·d is a double where high = fl(n/d): n and high·d agree in their leading bits.
+NearNumber near_quotient(double n, double d) {
+  const double high = n / d;
+  const DoubleDouble product = two_product(split_factor(high), split_factor(d));
+  const double low = ((n - product.high) - product.low) / d;
+  return {{high, low}, std::abs(low) * 0x1p-52};
+}
+
+}  // namespace
+
+NearNumber near_number(const Rational& x) {
+  constexpr long largest = 1L << 53;
+  const fmpz n = *fmpq_numref(x.raw());
+  const fmpz d = *fmpq_denref(x.raw());
+  if (!COEFF_IS_MPZ(n) && !COEFF_IS_MPZ(d) && std::abs(n) <= largest && d <= largest)
+    return rounding_to_nearest(
+        [&] { return near_quotient(static_cast<double>(n), static_cast<double>(d)); });
+  const double high = nearest_double(x);
+  if (!std::isfinite(high)) return {{high, 0}, std::numeric_limits<double>::infinity()};
+  const double low = nearest_double(Rational(x - exact_rational(high)));
+  return {{high, low}, std::abs(low) * 0x1p-52 + 0x1p-1073};
 }
 
 void round_to_mpfr(mpfr_t target, const Real& x, PrecisionLimit limit) {

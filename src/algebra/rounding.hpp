@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/export.hpp"
 
@@ -30,6 +31,11 @@ PHRAME_API double round_to_double(const Real& x, PrecisionLimit limit = {});
 
 /// The double that all numbers of the ball round to, where there is one.
 PHRAME_API std::optional<double> common_double(const RealBall& x);
+
+/// x as the nearest double and what is left of it, off by about 2^−106·|x|; the error is infinite
+/// where x is beyond the range of doubles. Fractions of integers of up to 53 bits take some
+/// nanoseconds.
+NearNumber near_number(const Rational& x);
 
 /// To the precision of the initialised `target`. (multiprecision.hpp has this for Boost's
 /// mpfr_float.)

@@ -101,6 +101,10 @@ struct FrameTable {
 PHRAME_API FrameTable frame_table(const PathAngle& angle, const TableColumns& columns,
                                   const std::vector<Place>& at);
 
+class FrameRows;
+/// The table of all of these rows.
+FrameTable frame_table(FrameRows& rows);
+
 /// The same of a PH curve, by the angle to its Euler–Rodrigues frame.
 PHRAME_API FrameTable frame_table(const Curve& curve, const TableColumns& columns,
                                   const std::vector<RealAlgebraic>& at);

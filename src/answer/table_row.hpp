@@ -7,6 +7,8 @@
 
 namespace phrame {
 
+/// What its column is called.
+const char* name_of(TabulatedScalar kind);
 /// Is that one of its frames?
 bool has_frame(const TableColumns& columns, TabulatedFrame frame);
 
@@ -22,8 +24,11 @@ struct TableRow {
   void resize(std::size_t count);     ///< leaves out what is behind
 };
 
-/// Throws InputError where a number has been rounded to infinity, which is no answer; `place` says
-/// of what the row is.
+/// @{ Throws InputError where a number has been rounded to infinity, which is no answer; `place`
+/// says of what the row is. The second adds it to the table.
+void require_finite(const std::vector<std::string>& columns, const std::vector<double>& row,
+                    const std::function<std::string()>& place);
 void add_row(FrameTable& table, std::vector<double> row, const std::function<std::string()>& place);
+/// @}
 
 }  // namespace phrame

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -231,6 +232,23 @@ std::string read_file(const std::string& path);
 /// Writes all or nothing: a file is written beside its place and renamed. "-" is standard output.
 /// Throws InputError.
 void write_output(const std::string& path, const std::string& bytes);
+
+/// The same in parts: what was written before finish() is of no file yet, though it may have left
+/// by a stream.
+class Output {
+ public:
+  explicit Output(const std::string& path);
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  ~Output();
+
+  void write(const std::string& bytes);
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// "phrame: …", a line on stderr about a result that there is.
 void note(std::string_view text);

@@ -16,6 +16,11 @@
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::cli {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
 namespace {
 
 constexpr std::size_t max_file_size = std::size_t{1} << 28;
@@ -26,19 +31,15 @@ std::vector<std::string>& notes() {
   return list;
 }
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Writes and closes; false, with errno, where any step failed.
-bool write_and_close(File file, const std::string& bytes) {
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+/// Closes; false, with errno, where what was written is not all there.
+bool close_written(File file) {
   // To the disk before its name: or a crash leaves a file of that name with nothing in it. A pipe
   // has no disk.
   const bool flushed = std::fflush(file.get()) == 0 &&
                        (fsync(fileno(file.get())) == 0 || errno == EINVAL || errno == ENOTSUP);
-  return std::fclose(file.release()) == 0 && written && flushed;
+  return std::fclose(file.release()) == 0 && flushed;
 }
 
 }  // namespace
@@ -80,42 +81,77 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
-void write_output(const std::string& path, const std::string& bytes) {
-  if (Exchange* here = Exchange::current()) {
-    here->output += bytes;
-    return;
-  }
+struct Output::State {
+  std::string path;
+  Exchange* here = Exchange::current();
+  File file = nullptr;      ///< null for standard output
+  std::string target = {};  ///< what the draft is to be called
+  std::string draft = {};   ///< empty where there is nothing to rename
+};
+
+Output::Output(const std::string& path) : state_(std::make_unique<State>(State{path})) {
+  if (state_->here != nullptr) return;
   end_watch();
   end_progress();
-  if (path == "-") {
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    if (std::fflush(stdout) != 0 || !written)
-      fail_with_errno("standard output", "cannot be written");
-    return;
-  }
+  if (path == "-") return;
   std::error_code ignored;
   const bool exists = std::filesystem::exists(path, ignored);
-  if (exists && !std::filesystem::is_regular_file(path, ignored)) {
-    // A device or a pipe: there is nothing to rename.
-    File file(std::fopen(path.c_str(), "wb"));
-    if (!file || !write_and_close(std::move(file), bytes))
-      fail_with_errno(path, "cannot be written");
-    return;
+  const bool is_stream = exists && !std::filesystem::is_regular_file(path, ignored);
+  // Of a device or a pipe there is nothing to rename. Through a link the file is replaced, not the
+  // link; who may read it stays as it was.
+  if (!is_stream) {
+    state_->target = exists ? std::filesystem::canonical(path, ignored).string() : path;
+    state_->draft = fmt::format("{}.{}.part", state_->target, getpid());
   }
-  // Through a link the file is replaced, not the link; who may read it stays as it was.
-  const std::string target = exists ? std::filesystem::canonical(path, ignored).string() : path;
-  const std::string draft = fmt::format("{}.{}.part", target, getpid());
-  File file(std::fopen(draft.c_str(), "wb"));
-  if (!file) fail_with_errno(path, "cannot be written");
-  if (exists)
-    std::filesystem::permissions(draft, std::filesystem::status(target, ignored).permissions(),
-                                 ignored);
-  if (!write_and_close(std::move(file), bytes) || std::rename(draft.c_str(), target.c_str()) != 0) {
-    const int reason = errno;
-    std::remove(draft.c_str());
-    errno = reason;
+  state_->file.reset(std::fopen(is_stream ? path.c_str() : state_->draft.c_str(), "wb"));
+  if (!state_->file) {
+    state_->draft.clear();
     fail_with_errno(path, "cannot be written");
   }
+  if (exists && !is_stream)
+    std::filesystem::permissions(
+        state_->draft, std::filesystem::status(state_->target, ignored).permissions(), ignored);
+}
+
+Output::~Output() {
+  state_->file.reset();
+  if (!state_->draft.empty()) std::remove(state_->draft.c_str());
+}
+
+void Output::write(const std::string& bytes) {
+  if (state_->here != nullptr) {
+    state_->here->output += bytes;
+    return;
+  }
+  std::FILE* file = state_->file ? state_->file.get() : stdout;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size()) return;
+  fail_with_errno(state_->file ? state_->path : "standard output", "cannot be written");
+}
+
+void Output::finish() {
+  if (state_->here != nullptr) return;
+  if (!state_->file) {
+    if (std::fflush(stdout) != 0) fail_with_errno("standard output", "cannot be written");
+    return;
+  }
+  const bool is_there =
+      close_written(std::move(state_->file)) &&
+      (state_->draft.empty() || std::rename(state_->draft.c_str(), state_->target.c_str()) == 0);
+  if (is_there) {
+    state_->draft.clear();
+    return;
+  }
+  const int reason = errno;
+  if (!state_->draft.empty()) std::remove(state_->draft.c_str());
+  state_->draft.clear();
+  errno = reason;
+  fail_with_errno(state_->path, "cannot be written");
+}
+
+void write_output(const std::string& path, const std::string& bytes) {
+  Output output(path);
+  output.write(bytes);
+  output.finish();
 }
 
 void note(std::string_view text) {

@@ -4,8 +4,8 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/camera_path.hpp"
-#include "phrame/answer/frame_table.hpp"
 #include "phrame/answer/table_row.hpp"
+#include "phrame/cli/row_stream.hpp"
 #include "phrame/cli/twist_options.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
@@ -38,33 +38,32 @@ const std::vector<std::string>& camera_formats() {
   return formats;
 }
 
-/// A table and what its rows were asked for by: t or values of another parameter.
-struct TabulatedFrames {
-  FrameTable table;
-  std::vector<Rational> numbers;
-};
-
 /// Which segment a corner belongs to.
 enum class Side { left, right, both };
 
-/// The points with the sides of corners that are asked for.
-std::vector<ParameterPoint> with_sides(const std::vector<ParameterPoint>& points, const Path& path,
-                                       Side side) {
-  if (side == Side::right) return points;
-  if (path.corners().empty()) throw InputError("--side", "the path has no corner at a joint");
-  std::vector<ParameterPoint> found;
-  for (const ParameterPoint& point : points) {
-    const std::size_t k = point.at.segment;
-    const bool is_corner = point.at.t.exact() == Rational(0) && path.has_corner(k);
-    if (is_corner) found.push_back({point.value, Place(k - 1, Rational(1))});
-    if (!is_corner || side == Side::both) found.push_back(point);
-  }
-  return found;
-}
+/// The rows of a table.
+struct AskedRows {
+  RowPlaces places;
+  /// What they were asked for by, where that is neither t nor the arc length, which have a column.
+  std::vector<Real> values = {};
+};
 
-/// A frame of minimal twist ends with the curve.
-void require_on(const Path& path, const Place& at) {
-  if (goes_on(path) && at.t.exact()) locate_inside(1, *at.t.exact());
+/// With the sides of corners that are asked for.
+AskedRows with_sides(const AskedRows& of, const Path& path, Side side) {
+  if (side == Side::right) return of;
+  if (path.corners().empty()) throw InputError("--side", "the path has no corner at a joint");
+  std::vector<Place> places;
+  std::vector<Rational> numbers;
+  std::vector<Real> values;
+  for (std::size_t k = 0; k < of.places.size(); ++k) {
+    const Place at = of.places.place(k);
+    const bool is_corner = at.t.exact() == Rational(0) && path.has_corner(at.segment);
+    if (is_corner) places.emplace_back(at.segment - 1, Rational(1));
+    if (!is_corner || side == Side::both) places.push_back(at);
+    numbers.resize(places.size(), of.places.numbers()[k]);
+    if (!of.values.empty()) values.resize(places.size(), of.values[k]);
+  }
+  return {RowPlaces(std::move(places), std::move(numbers)), std::move(values)};
 }
 
 /// A fraction that rounds as it does, but next to a tie.
@@ -138,8 +137,9 @@ void add_twist_frames(TableColumns& columns, const TwistOptions& options, const 
       twist_frames(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
 }
 
+/// What make() makes of the table.
 template <class Make>
-FrameTable table(const TableColumns& columns, Make make) {
+auto tabulated(const TableColumns& columns, Make make) {
   try {
     return make();
   } catch (const DomainError& error) {
@@ -157,37 +157,50 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
     throw InputError("--frame", "\"mtf\" " + needs_ph(angle.path()));
 }
 
-TabulatedFrames table_of(const NamedPath& named, TableColumns& columns,
-                         const FramesOptions& options, const PathAngle& angle) {
+/// Where the rows are, in the parameter that is asked for. A frame of minimal twist ends with the
+/// curve.
+AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& options) {
   const Path& path = named.path;
-  require_frames(columns, angle);
-  options.start.check(path, angle.reference());
-  const bool has_twist = has_twist_frames(columns);
-  if (has_twist) add_twist_frames(columns, options.twist, named, angle);
-  const std::vector<ParameterPoint> points = with_sides(
-      options.parameters.on(named).points(Parameters{options.parameters.at}.values(),
-                                          options.parameters.samples),
-      path,
-      choose<Side>("--side", options.side,
-                   {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
-  std::vector<Rational> numbers;
+  const std::vector<Rational> asked = Parameters{options.parameters.at}.values();
+  const long samples = options.parameters.samples;
+  const Parametrization by = options.parameters.on(named);
+  std::vector<Rational> numbers = asked;
+  if (by.kind() == ParameterKind::t || by.kind() == ParameterKind::arc_length)
+    for (const Real& x : by.sample_values(samples)) numbers.push_back(*x.exact());
+  if (by.kind() == ParameterKind::arc_length)
+    return {RowPlaces(std::move(numbers), PathLength(path))};
+  if (by.kind() == ParameterKind::t) {
+    RowPlaces places(std::move(numbers), [path, ends](const Rational& t) {
+      return Place(ends ? locate_inside(path.segments().size(), t) : locate(path, t));
+    });
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (const Rational& t = places.numbers()[k]; t < 0 || t > path.end())
+        places.place(k);  // which throws where there is none
+    return {std::move(places)};
+  }
   std::vector<Place> at;
   std::vector<Real> values;
-  for (const ParameterPoint& point : points) {
-    if (has_twist) require_on(path, point.at);
+  numbers.clear();
+  for (const ParameterPoint& point : by.points(asked, samples)) {
+    at.push_back(point.at);
     values.push_back(point.value);
     numbers.push_back(approximated(point.value));
-    at.push_back(point.at);
   }
-  FrameTable made = table(columns, [&] { return frame_table(angle, columns, at); });
-  made.near = named.near;
-  if (const ParameterKind by = options.parameters.kind(); by != ParameterKind::t)
-    add_column(made, column_of(by), values, columns.digits);
-  return {std::move(made), std::move(numbers)};
+  return {RowPlaces(std::move(at), std::move(numbers)), std::move(values)};
 }
 
-TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& chosen) {
-  options.parameters.kind();  // where it throws
+/// What is done with a table of a path.
+struct TableUse {
+  const NamedPath& named;
+  FrameRows& rows;
+  const AskedRows& asked;
+  ParameterKind by;
+};
+
+/// Reads the path and gives its table to `use`.
+template <class Use>
+void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use) {
+  const ParameterKind by = options.parameters.kind();
   chosen.start = options.start.start();
   chosen.roll = options.roll.chosen(options.curve.path, options.curve.reading);
   if (options.roll.is_given() && std::ranges::any_of(chosen.scalars, [](TabulatedScalar scalar) {
@@ -200,12 +213,33 @@ TabulatedFrames read_and_tabulate(const FramesOptions& options, TableColumns& ch
   CurveOptions curve = options.curve;
   curve.reading.other_columns = {options.roll.column_name()};
   const NamedPath named = curve.read_any_path();
-  chosen.roll.require_along(named.path.segments().size());
+  const Path& path = named.path;
+  chosen.roll.require_along(path.segments().size());
   const bool is_to_up = has_frame(chosen, TabulatedFrame::up) || options.start.is_up();
   if (options.up.vector && !is_to_up && has_frame(chosen, TabulatedFrame::mtf))
     throw InputError("--up", "mtf and mtf-exact are at angles to the Euler-Rodrigues frame here");
-  const auto up = options.up.chosen(named.path, is_to_up);
-  return table_of(named, chosen, options, angle_to(up, named.path));
+  const PathAngle angle = angle_to(options.up.chosen(path, is_to_up), path);
+  require_frames(chosen, angle);
+  options.start.check(path, angle.reference());
+  const bool has_twist = has_twist_frames(chosen);
+  if (has_twist) add_twist_frames(chosen, options.twist, named, angle);
+  if (by == ParameterKind::arc_length &&
+      std::ranges::find(chosen.scalars, TabulatedScalar::arc_length) == chosen.scalars.end())
+    chosen.scalars.push_back(TabulatedScalar::arc_length);
+  const AskedRows asked = with_sides(
+      asked_rows(named, has_twist, options), path,
+      choose<Side>("--side", options.side,
+                   {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
+  FrameRows rows(angle, chosen, asked.places);
+  use(TableUse{named, rows, asked, by});
+}
+
+FrameTable table_of(const TableColumns& columns, const TableUse& use) {
+  FrameTable table = tabulated(columns, [&] { return frame_table(use.rows); });
+  table.near = use.named.near;
+  if (!use.asked.values.empty())
+    add_column(table, column_of(use.by), use.asked.values, columns.digits);
+  return table;
 }
 
 void run_camera(const FramesOptions& options) {
@@ -217,33 +251,58 @@ void run_camera(const FramesOptions& options) {
   if (options.duration) duration = parse_positive_option("--duration", *options.duration);
   const double fps = round_to_double(parse_positive_option("--fps", options.fps));
   if (fps < 0.001 || fps > 30'000) throw InputError("--fps", "is not between 0.001 and 30000");
-  const TabulatedFrames made = read_and_tabulate(options, chosen);
-  const CameraPath path =
-      at_place("frames", ": ", [&] { return camera_path(made.table, made.numbers, duration); });
-  write_output(options.curve.output, options.format == "glb"    ? to_glb(path)
-                                     : options.format == "gltf" ? to_gltf(path)
-                                                                : to_blender(path, fps));
+  tabulate(options, chosen, [&](const TableUse& use) {
+    const FrameTable table = table_of(chosen, use);
+    const CameraPath path = at_place(
+        "frames", ": ", [&] { return camera_path(table, use.asked.places.numbers(), duration); });
+    write_output(options.curve.output, options.format == "glb"    ? to_glb(path)
+                                       : options.format == "gltf" ? to_gltf(path)
+                                                                  : to_blender(path, fps));
+  });
+}
+
+/// The table at once.
+WrittenRows write_whole_table(const std::string& output, const FrameTable& table,
+                              const std::string& text) {
+  write_output(output, text);
+  return {table.incomplete_rows, table.first_reason};
 }
 
 void run(const FramesOptions& options) {
-  // Those without a table are of cameras.
-  const auto format = choose<std::string (*)(const FrameTable&)>("--format", options.format,
-                                                                 {{"csv", to_csv},
-                                                                  {"json", to_json},
-                                                                  {"npy", to_npy},
-                                                                  {"glb", nullptr},
-                                                                  {"gltf", nullptr},
-                                                                  {"blender", nullptr}});
-  if (format == nullptr) return run_camera(options);
+  enum class Format { csv, json, npy, camera };
+  const auto format = choose<Format>("--format", options.format,
+                                     {{"csv", Format::csv},
+                                      {"json", Format::json},
+                                      {"npy", Format::npy},
+                                      {"glb", Format::camera},
+                                      {"gltf", Format::camera},
+                                      {"blender", Format::camera}});
+  if (format == Format::camera) return run_camera(options);
   TableColumns chosen = columns(options);
   chosen.may_be_empty = options.skips_undefined;
   chosen.digits = options.digits;
-  const FrameTable made = read_and_tabulate(options, chosen).table;
-  write_output(options.curve.output, format(made));
-  if (made.incomplete_rows > 0)
-    note(fmt::format("{} of {} rows {} empty cells; the first: {}", made.incomplete_rows,
-                     made.rows.size(), made.incomplete_rows == 1 ? "has" : "have",
-                     made.first_reason));
+  tabulate(options, chosen, [&](const TableUse& use) {
+    const std::string& output = options.curve.output;
+    const auto in_rows = [&] {
+      return tabulated(chosen, [&] {
+        return write_rows(output, use.rows, format == Format::csv ? csv_rows() : npy_rows());
+      });
+    };
+    const auto as_a_whole = [&] {
+      const FrameTable table = table_of(chosen, use);
+      return write_whole_table(output, table,
+                               format == Format::json  ? to_json(table)
+                               : format == Format::npy ? to_npy(table)
+                                                       : to_csv(table));
+    };
+    const bool is_streamed =
+        format != Format::json && chosen.digits == 0 && use.asked.values.empty();
+    const WrittenRows written = is_streamed ? in_rows() : as_a_whole();
+    if (written.incomplete > 0)
+      note(fmt::format("{} of {} rows {} empty cells; the first: {}", written.incomplete,
+                       use.rows.size(), written.incomplete == 1 ? "has" : "have",
+                       written.first_reason));
+  });
 }
 
 }  // namespace

@@ -1,30 +1,71 @@
 #include "phrame/io/write/frame_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/compile.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 
 #include "phrame/io/write/frame_start.hpp"
 #include "phrame/io/write/json_text.hpp"
 
 namespace phrame {
 
-std::string to_csv(const FrameTable& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-  for (const auto& row : table.decimals) text += fmt::format("{}\n", fmt::join(row, ","));
-  if (!table.decimals.empty()) return text;
-  for (const auto& row : table.rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (k > 0) text += ',';
-      if (!std::isnan(row[k])) fmt::format_to(std::back_inserter(text), "{}", row[k]);
-    }
-    text += '\n';
+namespace {
+
+std::string csv_header(const std::vector<std::string>& columns, std::size_t) {
+  return fmt::format("{}\n", fmt::join(columns, ","));
+}
+
+void append_csv(std::string& text, const std::vector<double>& row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (k > 0) text += ',';
+    if (std::isnan(row[k])) continue;
+    char digits[32];
+    text.append(digits, fmt::format_to(digits, FMT_COMPILE("{}"), row[k]));
   }
+  text += '\n';
+}
+
+std::string npy_header(const std::vector<std::string>& columns, std::size_t rows) {
+  std::string header = fmt::format(
+      "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns.size());
+  constexpr std::size_t preamble = 10;  // magic, version, length of the header
+  header.append(63 - (preamble + header.size()) % 64, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(header.size() & 0xFFU);
+  bytes += static_cast<char>(header.size() >> 8U);
+  return bytes + header;
+}
+
+void append_npy(std::string& bytes, const std::vector<double>& row) {
+  for (const double x : row) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    for (unsigned shift = 0; shift < 64; shift += 8)
+      bytes += static_cast<char>((bits >> shift) & 0xFFU);
+  }
+}
+
+std::string all_rows(const RowFormat& format, const FrameTable& table) {
+  std::string text = format.header(table.columns, table.rows.size());
+  for (const auto& row : table.rows) format.append(text, row);
   return text;
 }
+
+}  // namespace
+
+RowFormat csv_rows() { return {csv_header, append_csv}; }
+RowFormat npy_rows() { return {npy_header, append_npy}; }
+
+std::string to_csv(const FrameTable& table) {
+  if (table.decimals.empty()) return all_rows(csv_rows(), table);
+  std::string text = csv_header(table.columns, table.decimals.size());
+  for (const auto& row : table.decimals) text += fmt::format("{}\n", fmt::join(row, ","));
+  return text;
+}
+
+std::string to_npy(const FrameTable& table) { return all_rows(npy_rows(), table); }
 
 namespace {
 
@@ -52,26 +93,6 @@ std::string to_json(const FrameTable& table) {
   if (table.up) json["up"] = json_of(*table.up);
   add_nearness(json, table.near);
   return json.dump() + "\n";
-}
-
-std::string to_npy(const FrameTable& table) {
-  std::string header =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}",
-                  table.rows.size(), table.columns.size());
-  constexpr std::size_t preamble = 10;  // magic, version, length of the header
-  header.append(63 - (preamble + header.size()) % 64, ' ');
-  header += '\n';
-  std::string bytes("\x93NUMPY\x01\x00", 8);
-  bytes += static_cast<char>(header.size() & 0xFFU);
-  bytes += static_cast<char>(header.size() >> 8U);
-  bytes += header;
-  for (const auto& row : table.rows)
-    for (const double x : row) {
-      const auto bits = std::bit_cast<std::uint64_t>(x);
-      for (unsigned shift = 0; shift < 64; shift += 8)
-        bytes += static_cast<char>((bits >> shift) & 0xFFU);
-    }
-  return bytes;
 }
 
 }  // namespace phrame

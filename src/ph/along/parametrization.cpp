@@ -150,16 +150,23 @@ Place Parametrization::place_of_fraction(const Rational& x) const {
 
 ParameterPoint Parametrization::point(const Rational& x) const { return {x, place(x)}; }
 
-std::vector<ParameterPoint> Parametrization::samples(long count) const {
-  std::vector<ParameterPoint> found;
+std::vector<Real> Parametrization::sample_values(long count) const {
+  std::vector<Real> values;
+  if (count == 0) return values;
   const Real first = from();
   const bool is_length = kind_ == ParameterKind::arc_length;
-  const Real last = is_length ? Real(length_below(to())) : to();
-  for (long k = 0; k < count; ++k) {
-    const Rational share(k, count - 1);
-    const Real value = first + share * (last + -first);
-    // Of the ends of a parameter that are no fractions there is one segment.
-    found.push_back(value.exact() ? point(*value.exact()) : ParameterPoint{value, Place(0, share)});
+  const Real way = (is_length ? Real(length_below(to())) : to()) + -first;
+  for (long k = 0; k < count; ++k) values.push_back(first + Real(Rational(k, count - 1)) * way);
+  return values;
+}
+
+std::vector<ParameterPoint> Parametrization::samples(long count) const {
+  std::vector<ParameterPoint> found;
+  // Of the ends of a parameter that are no fractions there is one segment.
+  for (Real& value : sample_values(count)) {
+    const Rational share(static_cast<long>(found.size()), count - 1);
+    found.push_back(value.exact() ? point(*value.exact())
+                                  : ParameterPoint{std::move(value), Place(0, share)});
   }
   return found;
 }

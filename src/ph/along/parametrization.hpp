@@ -36,9 +36,10 @@ class Parametrization {
   /// PathLength::point(), and where a fraction of the arc length is not told from that of a joint:
   /// it is where segments before and behind that have the same speed |r′(t)| or |r′(1 − t)|.
   ParameterPoint point(const Rational& x) const;
-  /// So many, ≥ 2, equally spaced from start to end; of irrational arc lengths up to the greatest
-  /// double of at most the length.
+  /// So many, ≥ 2 or none, equally spaced from start to end; of irrational arc lengths up to the
+  /// greatest double of at most the length.
   std::vector<ParameterPoint> samples(long count) const;
+  std::vector<Real> sample_values(long count) const;  ///< of these, without their points
   /// The points of these values and then the samples, if count > 0.
   std::vector<ParameterPoint> points(const std::vector<Rational>& values, long count = 0) const;
 

@@ -3,9 +3,7 @@
 #include <cmath>
 
 #include "phrame/ph/along/rational_rates.hpp"
-#include "phrame/ph/curve/curve_integrands.hpp"
-#include "phrame/ph/frame/angle_piece.hpp"
-#include "phrame/ph/frame/formula_piece.hpp"
+#include "phrame/ph/frame/integral_piece.hpp"
 
 namespace phrame {
 namespace {
@@ -26,10 +24,8 @@ auto theta_of(const PathAngle& angle, const StartAngle& start) {
   };
 }
 
-/// θ′ of a segment, as it is compiled.
-using CompiledRate = std::variant<RootQuotient, CurveIntegrand>;
-
-CompiledRate rate_of(const PathAngle& angle, std::size_t k) {
+/// θ′ of a segment.
+PieceRate rate_of(const PathAngle& angle, std::size_t k) {
   if (angle.is_zero()) return RootQuotient{};
   if (const RmfAngle* closed = angle.closed_form(k)) return rate_of(closed->rate());
   const bool is_up = angle.reference() == Reference::up;
@@ -43,15 +39,10 @@ CompiledRate rate_of(const PathAngle& angle, std::size_t k) {
 
 /// The piece on [low, high] of segment k, whose rate that is.
 std::optional<PolynomialPiece> piece_of(const PathAngle& angle, std::size_t k,
-                                        const CompiledRate& rate, double low, double high,
+                                        const PieceRate& rate, double low, double high,
                                         const StartAngle& start, const DoubleShape& shape) {
-  const auto joint = static_cast<double>(k);
-  const auto theta = theta_of(angle, start);
-  if (const auto* quotient = std::get_if<RootQuotient>(&rate))
-    return angle_piece(low, high, joint, *quotient, theta, shape);
-  return formula_angle_piece(low, high, joint,
-                             std::get<ExpressionCurve>(angle.path().segments()[k]),
-                             std::get<CurveIntegrand>(rate), theta, shape);
+  return integral_piece(k, angle.path().segments()[k], rate, low, high, theta_of(angle, start),
+                        shape);
 }
 
 }  // namespace
@@ -69,7 +60,7 @@ PiecewisePolynomial compiled_angle(const RmfAngle& angle, const FrameAngle& star
 
 PiecewisePolynomial compiled_angle(const PathAngle& angle, const StartAngle& start_angle,
                                    const DoubleShape& shape) {
-  std::vector<CompiledRate> rates;
+  std::vector<PieceRate> rates;
   for (std::size_t k = 0; k < angle.path().segments().size(); ++k)
     rates.push_back(rate_of(angle, k));
   const auto make = [&](double low, double high) {
@@ -81,7 +72,7 @@ PiecewisePolynomial compiled_angle(const PathAngle& angle, const StartAngle& sta
 
 PiecewisePolynomial compiled_angle(const PathAngle& angle, std::size_t segment,
                                    const StartAngle& start_angle, const DoubleShape& shape) {
-  const CompiledRate rate = rate_of(angle, segment);
+  const PieceRate rate = rate_of(angle, segment);
   const auto joint = static_cast<double>(segment);
   return {joint, joint + 1, shape, [&](double low, double high) {
             return piece_of(angle, segment, rate, low, high, start_angle, shape);

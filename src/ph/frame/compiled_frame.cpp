@@ -1,5 +1,6 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
@@ -103,7 +104,7 @@ CompiledFrames::Zeros known_zeros(const PathAngle& angle, const Segment& segment
 CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
                                const FrameAngle& start_angle)
     : CompiledFrames(compiled_rotation(curve, angle, start_angle, from, to, compensated_shape(4)),
-                     zeros(curve, angle, start_angle)) {}
+                     {zeros(curve, angle, start_angle)}) {}
 
 CompiledFrames::CompiledFrames(const PathAngle& angle, const StartAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, start_angle, compensated_shape(4)),
@@ -112,15 +113,15 @@ CompiledFrames::CompiledFrames(const PathAngle& angle, const StartAngle& start_a
 CompiledFrames::CompiledFrames(const PathAngle& angle, std::size_t segment,
                                const StartAngle& start_angle)
     : CompiledFrames(compiled_rotation(angle, segment, start_angle, compensated_shape(4)),
-                     zeros(angle, segment, start_angle)) {}
+                     {zeros(angle, segment, start_angle)}) {}
 
 CompiledFrames::CompiledFrames(const Curve& curve, Reference reference, double from, double to,
                                double origin)
     : CompiledFrames(compiled_rotation(curve, reference, from, to, origin, compensated_shape(4)),
-                     frame_zeros(curve, reference)) {}
+                     {frame_zeros(curve, reference)}) {}
 
-CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros)
-    : polynomials_(shared(std::move(polynomials))), zeros_(zeros) {
+CompiledFrames::CompiledFrames(PiecewisePolynomial polynomials, std::vector<Zeros> zeros)
+    : polynomials_(shared(std::move(polynomials))), zeros_(std::move(zeros)) {
   // Far more than the operations on pairs of doubles are off by, and than rounding leaves.
   for (const PolynomialPiece& piece : polynomials_->pieces())
     if (!(frame_error(piece.error) <= 0x1p-60))
@@ -137,22 +138,23 @@ CompiledFrames::Zeros CompiledFrames::zeros(const Curve& curve, const RmfAngle& 
 CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, std::size_t segment,
                                             const StartAngle& start) {
   const Segment& of = angle.path().segments()[segment];
-  if (angle.reference() != Reference::euler_rodrigues || !start.exact)
-    return known_zeros(angle, of, start);
-  return frame_zeros(*ph_curve(of), [&](const Rational& t) {
-    return rotation_minimizing_frame(angle, {segment, t}, start);
-  });
+  Zeros zeros = angle.reference() != Reference::euler_rodrigues || !start.exact
+                    ? known_zeros(angle, of, start)
+                    : frame_zeros(*ph_curve(of), [&](const Rational& t) {
+                        return rotation_minimizing_frame(angle, {segment, t}, start);
+                      });
+  // Along a line that is parallel to an axis the others are across it.
+  for (std::size_t k = 0; k < 3; ++k)
+    if (zeros[0][(k + 1) % 3] && zeros[0][(k + 2) % 3]) zeros[1][k] = zeros[2][k] = true;
+  return zeros;
 }
 
-CompiledFrames::Zeros CompiledFrames::zeros(const PathAngle& angle, const StartAngle& start) {
-  Zeros all = all_zeros();
+std::vector<CompiledFrames::Zeros> CompiledFrames::zeros(const PathAngle& angle,
+                                                         const StartAngle& start) {
+  std::vector<Zeros> all;
   const std::size_t segments = angle.path().segments().size();
   Stage stage("segments", segments);
-  for (std::size_t k = 0; k < segments; ++k, stage.advance()) {
-    const Zeros of_segment = zeros(angle, k, start);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) all[i][j] = all[i][j] && of_segment[i][j];
-  }
+  for (std::size_t k = 0; k < segments; ++k, stage.advance()) all.push_back(zeros(angle, k, start));
   return all;
 }
 
@@ -181,11 +183,23 @@ Frame<double> CompiledFrames::operator()(double t) const {
 }
 
 std::optional<Frame<double>> CompiledFrames::rounded(double t) const {
-  return rounding_to_nearest([&] { return near_frame(rotation(t)); });
+  return rounding_to_nearest([&] { return near_frame(t, rotation(t)); });
 }
 
-std::optional<Frame<double>> CompiledFrames::near_frame(const Rotation& at) const {
+std::optional<Frame<double>> CompiledFrames::rounded(const NearNumber& t) const {
+  return rounding_to_nearest([&]() -> std::optional<Frame<double>> {
+    const auto near = near_values<4>(*polynomials_, t);
+    if (!near) return std::nullopt;
+    const auto& [u, v, p, q] = near->values;
+    return near_frame(t.value.high, {{u, v, p, q}, near->error});
+  });
+}
+
+std::optional<Frame<double>> CompiledFrames::near_frame(double t, const Rotation& at) const {
   const auto& [b, off] = at;
+  const Zeros& zeros = zeros_.size() == 1
+                           ? zeros_[0]
+                           : zeros_[std::min(static_cast<std::size_t>(t), zeros_.size() - 1)];
   // Of a component, at most four products and three sums of them, which are off by about 2^−102.
   const double error = frame_error(off) + 0x1p-94;
   bool is_certain = true;
@@ -199,8 +213,8 @@ std::optional<Frame<double>> CompiledFrames::near_frame(const Rotation& at) cons
     }
     return v;
   };
-  const Frame<double> frame{rounded(rotated_i(b), zeros_[0]), rounded(rotated_j(b), zeros_[1]),
-                            rounded(rotated_k(b), zeros_[2])};
+  const Frame<double> frame{rounded(rotated_i(b), zeros[0]), rounded(rotated_j(b), zeros[1]),
+                            rounded(rotated_k(b), zeros[2])};
   if (!is_certain) return std::nullopt;
   return frame;
 }

@@ -8,6 +8,7 @@
 namespace phrame {
 
 class PiecewisePolynomial;
+struct NearNumber;
 
 /// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
@@ -27,8 +28,9 @@ class PHRAME_API CompiledFrames {
                  double origin = 0);
   /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.
   using Zeros = std::array<std::array<bool, 3>, 3>;
-  /// Frames by polynomials that compiled_rotation made, of compensated_shape(4).
-  CompiledFrames(PiecewisePolynomial polynomials, const Zeros& zeros);
+  /// Frames by polynomials that compiled_rotation made, of compensated_shape(4). There are zeros()
+  /// for all t, or for each [k, k + 1], k = 0, 1, ….
+  CompiledFrames(PiecewisePolynomial polynomials, std::vector<Zeros> zeros);
 
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
@@ -38,6 +40,8 @@ class PHRAME_API CompiledFrames {
   /// polynomials are enough for that: all but about one in a million, but for components that are 0
   /// or nearly so. Those that are 0 everywhere, as on plane curves, are known. Throws as above.
   std::optional<Frame<double>> rounded(double t) const;
+  /// The same at a t that need not be a double; no value outside of [from, to].
+  std::optional<Frame<double>> rounded(const NearNumber& t) const;
 
   struct Rotation;  // ph/frame/compiled_frame_rotation.hpp
   /// The unit quaternion that the frame at t is made of. Throws as above.
@@ -47,14 +51,14 @@ class PHRAME_API CompiledFrames {
   double to() const;    ///< where they end
 
  private:
-  /// The frame that rounded() gives there.
-  std::optional<Frame<double>> near_frame(const Rotation& at) const;
+  /// What rounded() gives at t.
+  std::optional<Frame<double>> near_frame(double t, const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
   static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
-  static Zeros zeros(const PathAngle& angle, const StartAngle& start_angle);
+  static std::vector<Zeros> zeros(const PathAngle& angle, const StartAngle& start_angle);
 
   std::shared_ptr<const PiecewisePolynomial> polynomials_;
-  Zeros zeros_;
+  std::vector<Zeros> zeros_;
 };
 
 }  // namespace phrame

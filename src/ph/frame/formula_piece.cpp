@@ -35,6 +35,18 @@ RealBall tail(const RealBall& bound) {
 /// At least |f| on |z| ≤ 4, as the greatest number of the ball.
 RealBall most_of(const DiscFunction& f) { return size_bounds(f).upper; }
 
+/// The integral of a rate by z, which has this series and this bound on |z| ≤ 4.
+std::optional<PolynomialPiece> rounded_integral_piece(
+    const PolynomialPiece& piece, const BallPolynomial& rate, const RealBall& bound,
+    const std::function<RealBall(double center, long bits)>& at_center, const DoubleShape& shape) {
+  const BallPolynomial from_center = by_y(antiderivative(rate, piece_bits));
+  const auto remainder_of = [&](const BallPolynomial& p) {
+    return add(variation(subtract(p, from_center, piece_bits), piece_bits), tail(bound),
+               angle_bits);
+  };
+  return rounded_angle_piece(piece, from_center, remainder_of, at_center, shape);
+}
+
 }  // namespace
 
 std::optional<PolynomialPiece> formula_angle_piece(
@@ -47,12 +59,18 @@ std::optional<PolynomialPiece> formula_angle_piece(
   const DiscProduct rate = y(*jet);
   const auto bound = bound_on_inner_disc(rate);
   if (!bound) return std::nullopt;
-  const BallPolynomial from_center = by_y(antiderivative(series(rate), piece_bits));
-  const auto remainder_of = [&](const BallPolynomial& p) {
-    return add(variation(subtract(p, from_center, piece_bits), piece_bits), tail(*bound),
-               angle_bits);
-  };
-  return rounded_angle_piece(*piece, from_center, remainder_of, theta, shape);
+  return rounded_integral_piece(*piece, series(rate), *bound, theta, shape);
+}
+
+std::optional<PolynomialPiece> formula_point_piece(
+    double low, double high, double origin, const ExpressionCurve& curve, std::size_t k,
+    const std::function<RealBall(double center, long bits)>& at_center, const DoubleShape& shape) {
+  const auto piece = empty_piece(low, high, origin);
+  if (!piece) return std::nullopt;
+  const auto jet = jet_of(curve, *piece);
+  if (!jet) return std::nullopt;
+  const DiscFunction& rate = jet->first()[k];
+  return rounded_integral_piece(*piece, rate.series, rate.bound, at_center, shape);
 }
 
 std::optional<PolynomialPiece> formula_rotation_piece(

@@ -15,6 +15,11 @@ std::optional<PolynomialPiece> formula_angle_piece(
     double low, double high, double origin, const ExpressionCurve& curve, const CurveIntegrand& y,
     const std::function<RealBall(double center, long bits)>& theta, const DoubleShape& shape);
 
+/// The component number k of r, from balls around it at the center.
+std::optional<PolynomialPiece> formula_point_piece(
+    double low, double high, double origin, const ExpressionCurve& curve, std::size_t k,
+    const std::function<RealBall(double center, long bits)>& at_center, const DoubleShape& shape);
+
 /// The unit quaternion B of a frame that does not turn about the tangent,
 ///   B′ = (r′ × r″)/(2|r′|²)·B,  |B(z)| ≤ exp(4K) where |r′ × r″|/(2|r′|²) ≤ K on |z| ≤ 4,
 /// from balls around B(center).

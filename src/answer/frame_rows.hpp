@@ -1,0 +1,39 @@
+#pragma once
+#include <memory>
+
+#include "phrame/answer/frame_table.hpp"
+#include "phrame/answer/row_places.hpp"
+#include "phrame/answer/table_row.hpp"
+
+namespace phrame {
+
+/// The rows of a frame_table(), one by one.
+class FrameRows {
+ public:
+  /// The columns have to outlive it. Throws what frame_table() throws for them.
+  FrameRows(const PathAngle& angle, const TableColumns& columns, RowPlaces places);
+  FrameRows(const FrameRows&) = delete;
+  FrameRows& operator=(const FrameRows&) = delete;
+  ~FrameRows();
+
+  /// So many.
+  std::size_t size() const;
+  /// The table without rows.
+  const FrameTable& empty_table() const { return empty_; }
+  /// Makes `row` row k, where doubles are enough for that: nearly always, in tables of many rows,
+  /// which are the only ones of which it is tried. False where they are not; what is in the row
+  /// then is no matter. Any thread may ask.
+  bool near(std::size_t k, std::vector<double>& row) const;
+  /// Row k. Throws what frame_table() throws for it.
+  TableRow exact(std::size_t k);
+  /// Why the last exact row has empty cells; nothing where it has none.
+  const std::string& reason() const;
+
+ private:
+  struct Scalar;
+  class State;
+  std::unique_ptr<State> state_;
+  FrameTable empty_;
+};
+
+}  // namespace phrame

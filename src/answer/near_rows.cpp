@@ -1,0 +1,125 @@
+#include "phrame/answer/near_rows.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame {
+namespace {
+
+/// From so many rows on it pays to compile a segment: a frame takes some ten microseconds, a piece
+/// as long as five to a hundred of them. By arc length t is the root of a polynomial.
+std::size_t many_rows(const Path& path, bool is_by_length) {
+  std::size_t many = 0;
+  for (const Segment& segment : path.segments()) {
+    const Curve* curve = ph_curve(segment);
+    many += curve == nullptr ? 300 : 300 + 20 * static_cast<std::size_t>(preimage_degree(*curve));
+  }
+  return is_by_length ? many / 8 : many;
+}
+
+/// The least and the greatest of the numbers, as doubles.
+std::pair<double, double> bounds_of(const RowPlaces& places) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto number = places.number(k);
+    if (!number) continue;
+    least = std::min(least, number->value.high);
+    greatest = std::max(greatest, number->value.high);
+  }
+  return {least, greatest};
+}
+
+/// What make() makes; nothing where the polynomials are not found: then each row goes the exact
+/// way.
+template <class Make>
+auto compiled(const Make& make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const Undecided&) {
+  } catch (const DomainError&) {
+  }
+  return std::nullopt;
+}
+
+bool are_of_rmf(const TableColumns& columns) {
+  const auto is_rmf = [](TabulatedFrame frame) { return frame == TabulatedFrame::rmf; };
+  return std::all_of(columns.frames.begin(), columns.frames.end(), is_rmf);
+}
+
+bool are_lengths(const TableColumns& columns) {
+  const auto is_length = [](TabulatedScalar kind) { return kind == TabulatedScalar::arc_length; };
+  return std::all_of(columns.scalars.begin(), columns.scalars.end(), is_length);
+}
+
+}  // namespace
+
+NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
+                   const RowPlaces& places)
+    : columns_(columns), places_(places), orientations_(columns) {
+  const Path& path = angle.path();
+  if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet ||
+      places.size() < many_rows(path, places.is_by_length()))
+    return;
+  const bool has_length = !columns.scalars.empty() && are_lengths(columns);
+  if (places.is_by_length() || has_length) length_ = compiled([&] { return CompiledLength(path); });
+  if (places.is_by_length() && !length_) return;
+  const auto [from, to] =
+      goes_on(path) && !places.is_by_length() ? bounds_of(places) : std::pair(0.0, 1.0);
+  if (goes_on(path) && start.exact && angle.reference() == Reference::euler_rodrigues) {
+    if (!(from < to)) return;
+    const Curve& curve = *ph_curve(path.segments().front());
+    points_ = compiled([&, least = from, most = to] { return CompiledPoints(curve, least, most); });
+    frames_ = compiled([&, least = from, most = to] {
+      return CompiledFrames(curve, *angle.closed_form(0), least, most, *start.exact);
+    });
+  } else {
+    points_ = compiled([&] { return CompiledPoints(path); });
+    frames_ = compiled([&] { return CompiledFrames(angle, start); });
+  }
+  has_rows_ = points_ && frames_ && are_of_rmf(columns) && are_lengths(columns) &&
+              (columns.scalars.empty() || length_) && !columns.have_quaternions;
+}
+
+std::optional<NearNumber> NearRows::parameter(std::size_t k) const {
+  if (!points_ && !frames_) return std::nullopt;
+  const auto number = places_.number(k);
+  if (!number) return std::nullopt;
+  return places_.is_by_length() ? length_->parameter(*number) : number;
+}
+
+std::optional<Vector<double>> NearRows::position(const NearNumber& t) const {
+  return points_ ? points_->rounded(t) : std::nullopt;
+}
+
+std::optional<Frame<double>> NearRows::frame(const NearNumber& t) const {
+  return frames_ ? frames_->rounded(t) : std::nullopt;
+}
+
+bool NearRows::at(std::size_t k, std::vector<double>& row) const {
+  return rounding_to_nearest([&] { return has_made(k, row); });
+}
+
+bool NearRows::has_made(std::size_t k, std::vector<double>& row) const {
+  row.clear();
+  const auto t = has_rows_ ? parameter(k) : std::nullopt;
+  const auto shown = t ? common_double(*t) : std::nullopt;
+  const auto r = shown ? position(*t) : std::nullopt;
+  const auto rmf = r ? frame(*t) : std::nullopt;
+  if (!rmf) return false;
+  row.push_back(*shown);
+  row.insert(row.end(), r->begin(), r->end());
+  row.insert(row.end(), rmf->e1.begin(), rmf->e1.end());
+  for (std::size_t n = 0; n < columns_.frames.size(); ++n) orientations_.add(row, *rmf);
+  for (std::size_t n = 0; n < columns_.scalars.size(); ++n) {
+    const auto s = places_.is_by_length() ? places_.number(k) : length_->value(*t);
+    const auto rounded = s ? common_double(*s) : std::nullopt;
+    if (!rounded) return false;
+    row.push_back(*rounded);
+  }
+  return true;
+}
+
+}  // namespace phrame

@@ -1,0 +1,41 @@
+#pragma once
+#include "phrame/answer/orientation_columns.hpp"
+#include "phrame/answer/row_places.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
+#include "phrame/ph/frame/compiled_length.hpp"
+#include "phrame/ph/frame/compiled_point.hpp"
+
+namespace phrame {
+
+/// What compiled polynomials tell of the rows of a table, each number correctly rounded: nearly all
+/// rows of tables that are long enough for that to pay, none of others. Any thread may ask.
+class NearRows {
+ public:
+  /// Of these columns at these places; the rotation-minimizing frame starts at that angle.
+  NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
+           const RowPlaces& places);
+
+  /// May at() give whole rows?
+  bool has_rows() const { return has_rows_; }
+  /// Makes `row` row k. False where any of it is not told; what is in it then is no matter.
+  bool at(std::size_t k, std::vector<double>& row) const;
+
+  /// @{ Parts of row k.
+  std::optional<NearNumber> parameter(std::size_t k) const;
+  std::optional<Vector<double>> position(const NearNumber& t) const;
+  std::optional<Frame<double>> frame(const NearNumber& t) const;
+  /// @}
+
+ private:
+  bool has_made(std::size_t k, std::vector<double>& row) const;
+
+  const TableColumns& columns_;
+  const RowPlaces& places_;
+  OrientationColumns orientations_;
+  bool has_rows_ = false;
+  std::optional<CompiledPoints> points_;
+  std::optional<CompiledFrames> frames_;
+  std::optional<CompiledLength> length_;
+};
+
+}  // namespace phrame

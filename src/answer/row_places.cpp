@@ -1,0 +1,29 @@
+#include "phrame/answer/row_places.hpp"
+
+namespace phrame {
+
+RowPlaces::RowPlaces(std::vector<Place> at, std::vector<Rational> numbers)
+    : at_(std::make_shared<const std::vector<Place>>(std::move(at))),
+      numbers_(std::make_shared<const std::vector<Rational>>(std::move(numbers))) {}
+
+RowPlaces::RowPlaces(std::vector<Rational> t, std::function<Place(const Rational&)> locate)
+    : numbers_(std::make_shared<const std::vector<Rational>>(std::move(t))),
+      locate_(std::move(locate)) {}
+
+RowPlaces::RowPlaces(std::vector<Rational> s, PathLength length)
+    : numbers_(std::make_shared<const std::vector<Rational>>(std::move(s))),
+      length_(std::move(length)) {}
+
+Place RowPlaces::place(std::size_t k) const {
+  if (at_) return (*at_)[k];
+  return length_ ? length_->point(numbers()[k]) : locate_(numbers()[k]);
+}
+
+std::optional<NearNumber> RowPlaces::number(std::size_t k) const {
+  if (!at_) return near_number(numbers()[k]);
+  const Place& at = (*at_)[k];
+  if (!at.t.exact()) return std::nullopt;
+  return near_number(Rational(static_cast<long>(at.segment)) + *at.t.exact());
+}
+
+}  // namespace phrame

@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/ph/along/path_length.hpp"
+
+namespace phrame {
+
+/// The arc length s of a path and its inverse for millions of numbers. Any thread may ask.
+class CompiledLength {
+ public:
+  /// By polynomials as those of compiled_angle, s′ = |r′| being N/(D√S). Throws Undecided where
+  /// they are not found, as along a segment on which f or p changes its sign.
+  explicit CompiledLength(const Path& path);
+
+  /// s from the start to t.
+  std::optional<NearNumber> value(const NearNumber& t) const;
+  /// The t where it is s: Newton's method in doubles, one step with the value of s in twice as many
+  /// bits, and the proof that s(t) takes both signs about that of what is left. No value next to
+  /// the ends of pieces, and where s′ is nearly 0.
+  std::optional<NearNumber> parameter(const NearNumber& s) const;
+
+ private:
+  PiecewisePolynomial polynomials_;
+  std::vector<double> at_ends_;  ///< about s at the ends of the pieces
+};
+
+}  // namespace phrame

@@ -1,0 +1,122 @@
+#include "phrame/answer/near_rows.hpp"
+
+#include <sstream>
+
+#include "io/reference.hpp"
+#include "phrame/answer/frame_rows.hpp"
+#include "phrame/io/read/json_node.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "support/curves.hpp"
+#include "support/expression_curves.hpp"
+#include "support/paths.hpp"
+#include "support/random.hpp"
+
+using namespace phrame;
+
+namespace near_rows_test {
+
+/// Of `count` rows along a path, equally spaced by t or by arc length: the share of those that
+/// doubles were enough for. Every `step`-th of these is compared with that of a table of one row,
+/// which is computed exactly.
+double compare_rows(const Path& path, bool is_by_length, long count, long step,
+                    const FrameStart& start = {}) {
+  const PathAngle angle = angle_to(std::nullopt, path);
+  const PathLength length(path);
+  TableColumns columns{{TabulatedFrame::rmf}, {TabulatedScalar::arc_length}};
+  columns.start = start;
+  const auto at = [&](std::vector<Rational> numbers) {
+    return is_by_length ? RowPlaces(std::move(numbers), length)
+                        : RowPlaces(std::move(numbers),
+                                    [path](const Rational& t) { return Place(locate(path, t)); });
+  };
+  const RealBall total = length.total().enclose(64);
+  const Rational end = is_by_length ? length.total().exact().value_or(total.lower()) : path.end();
+  std::vector<Rational> numbers;
+  for (long k = 0; k < count; ++k) numbers.push_back(end * Rational(k, count - 1));
+  const FrameRows rows(angle, columns, at(numbers));
+  long near = 0;
+  for (std::size_t number = 0; number < numbers.size(); ++number) {
+    std::vector<double> row;
+    if (!rows.near(number, row)) continue;
+    if (near++ % step != 0) continue;
+    CAPTURE(number);
+    FrameRows one(angle, columns, at({numbers[number]}));
+    std::vector<double> none;
+    REQUIRE_FALSE(one.near(0, none));
+    CHECK(row == one.exact(0).values);
+  }
+  return static_cast<double>(near) / static_cast<double>(count);
+}
+
+/// Also with other starts.
+void check_rows(const Path& path, long step = 37) {
+  CHECK(compare_rows(path, false, 3001, step) > 0.9);
+  CHECK(compare_rows(path, true, 1501, step) > 0.9);
+  CHECK(compare_rows(path, false, 3001, 10 * step, StartNormal({3, -1, 2})) > 0.9);
+}
+
+}  // namespace near_rows_test
+
+using namespace near_rows_test;
+
+TEST_CASE("near rows: of curves of many kinds they are the exact ones, and nearly all there") {
+  SUBCASE("a quintic") { check_rows(Path(test::quintic)); }
+  SUBCASE("with f < 0") {
+    check_rows(Path(Curve(test::quintic.preimage(), Polynomial{-1, Rational(-1, 3)})));
+  }
+  SUBCASE("a near-cusp, whose frame turns within 10^-8") {
+    const Polynomial zero{-1, 3};
+    const Rational tiny = parse_rational("1e-8");
+    check_rows(Path(Curve({zero * Polynomial{1, 1} + Polynomial{tiny}, Rational(2) * zero,
+                           zero * Polynomial{-2, 1}, zero + Polynomial{3 * tiny}})));
+  }
+  SUBCASE("of degree 41") {
+    test::Random random(41);
+    QuaternionPolynomial a;
+    for (Polynomial* p : {&a.u, &a.v, &a.p, &a.q}) {
+      std::vector<Rational> c;
+      for (int k = 0; k <= 20; ++k) c.emplace_back(random.integer(-9, 9));
+      *p = Polynomial(c);
+    }
+    check_rows(Path(Curve(a)), 211);
+  }
+  SUBCASE("closed, of four segments") { check_rows(Path(test::chain(test::quarters()))); }
+  SUBCASE("with corners") {
+    check_rows(joined({bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}}),
+                       bezier_curve({{2, 2, 1}, {2, 2, 3}, {0, 1, 3}}),
+                       bezier_curve({{0, 1, 3}, {5, 1, 3}})}));
+  }
+  SUBCASE("rational") {
+    check_rows(Path(bezier_curve({{0, 0, 0}, {1, 0, 2}, {2, 1, 0}, {1, 1, 1}}, {1, 2, 3, 1})));
+  }
+  SUBCASE("by formulas") { check_rows(Path(test::torus_knot(2, 3)), 311); }
+}
+
+// The arc length is none of a polynomial where f changes its sign.
+TEST_CASE("near rows: of a curve that turns back they are the exact ones") {
+  const Path path(Curve(test::quintic.preimage(), Polynomial{-1, 3}));
+  CHECK(compare_rows(path, false, 3001, 37) == 0);  // with a column of s
+  CHECK(compare_rows(path, true, 1501, 401) == 0);
+}
+
+TEST_CASE("near rows: along the collections they are the exact ones") {
+  std::istringstream lines(test::read_data("curves.jsonl"));
+  long curves = 0;
+  double share = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > 4000) continue;  // the exact rows of others take long
+    CAPTURE(line.substr(0, 60));
+    const Path path = read_any_path(line).path;
+    share += compare_rows(path, false, 3001, 1200);
+    share += compare_rows(path, true, 1501, 600);
+    curves += 2;
+  }
+  std::istringstream others(test::read_data("any_curves.jsonl"));
+  for (std::string line; std::getline(others, line);) {
+    const JsonValue document = parse_json_file(line, "line");
+    const Path path = read_any_path(JsonNode(document).at("file")).path;
+    share += compare_rows(path, false, 4001, 1600);
+    ++curves;
+  }
+  CHECK(share > 0.8 * static_cast<double>(curves));
+}
