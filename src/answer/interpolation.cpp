@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
+#include "phrame/answer/near_rows.hpp"
 #include "phrame/answer/table_row.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
@@ -15,6 +18,51 @@ void require_few_rows(const InterpolationQuery& query, const Integer& ticks) {
     throw InputError(fmt::format("{} asks for {} rows, the limit is {}", as_written(query.period),
                                  abbreviated(rows.str()), query.most_rows));
 }
+
+namespace {
+
+/// Rows of a motion with a constant speed by compiled polynomials, where the points are so many
+/// that it pays.
+class NearPoints {
+ public:
+  NearPoints(const Path& path, const InterpolationQuery& query, const Integer& ticks)
+      : period_(query.period) {
+    const RationalFunction& V = query.feedrate.speed;
+    if (!V.numerator().is_constant() || !V.denominator().is_constant()) return;
+    if (ticks < Integer(static_cast<long>(many_rows(path, true)))) return;
+    speed_ = V.numerator().coefficient(0) / V.denominator().coefficient(0);
+    length_ = where_compiled([&] { return CompiledLength(path); });
+    points_ = where_compiled([&] { return CompiledPoints(path); });
+  }
+
+  /// Row k, where doubles are enough for it.
+  std::optional<std::vector<double>> row(const Integer& k) const {
+    if (!length_ || !points_) return std::nullopt;
+    return rounding_to_nearest([&]() -> std::optional<std::vector<double>> {
+      const Rational time = Rational(k) * period_;
+      const NearNumber s = near_number(time * speed_);
+      const auto t = length_->parameter(s);
+      const auto r = t ? points_->rounded(*t) : std::nullopt;
+      if (!r) return std::nullopt;
+      std::vector<double> row{round_to_double(Rational(k))};
+      for (const NearNumber& x : {near_number(time), *t, s}) {
+        const auto rounded = common_double(x);
+        if (!rounded || !std::isfinite(*rounded)) return std::nullopt;
+        row.push_back(*rounded);
+      }
+      row.insert(row.end(), r->begin(), r->end());
+      return row;
+    });
+  }
+
+ private:
+  Rational period_;
+  Rational speed_;
+  std::optional<CompiledLength> length_;
+  std::optional<CompiledPoints> points_;
+};
+
+}  // namespace
 
 FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
   const Path& path = named.path;
@@ -31,10 +79,15 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
   Stage stage("rows", static_cast<std::size_t>(static_cast<long>(ticks)));
+  const NearPoints near(path, query, ticks);
   for (Integer k = 0; k < ticks; ++k) {
+    stage.advance();
+    if (auto row = near.row(k)) {
+      table.rows.push_back(std::move(*row));
+      continue;
+    }
     const Rational at = Rational(k) * query.period;
     append(k, at, time.at_time(at));
-    stage.advance();
   }
   append(ticks, time.total(), time.end());
   return table;

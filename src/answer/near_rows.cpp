@@ -2,22 +2,10 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame {
 namespace {
-
-/// From so many rows on it pays to compile a segment: a frame takes some ten microseconds, a piece
-/// as long as five to a hundred of them. By arc length t is the root of a polynomial.
-std::size_t many_rows(const Path& path, bool is_by_length) {
-  std::size_t many = 0;
-  for (const Segment& segment : path.segments()) {
-    const Curve* curve = ph_curve(segment);
-    many += curve == nullptr ? 300 : 300 + 20 * static_cast<std::size_t>(preimage_degree(*curve));
-  }
-  return is_by_length ? many / 8 : many;
-}
 
 /// The least and the greatest of the numbers, as doubles.
 std::pair<double, double> bounds_of(const RowPlaces& places) {
@@ -32,18 +20,6 @@ std::pair<double, double> bounds_of(const RowPlaces& places) {
   return {least, greatest};
 }
 
-/// What make() makes; nothing where the polynomials are not found: then each row goes the exact
-/// way.
-template <class Make>
-auto compiled(const Make& make) -> std::optional<decltype(make())> {
-  try {
-    return make();
-  } catch (const Undecided&) {
-  } catch (const DomainError&) {
-  }
-  return std::nullopt;
-}
-
 bool are_of_rmf(const TableColumns& columns) {
   const auto is_rmf = [](TabulatedFrame frame) { return frame == TabulatedFrame::rmf; };
   return std::all_of(columns.frames.begin(), columns.frames.end(), is_rmf);
@@ -56,6 +32,17 @@ bool are_lengths(const TableColumns& columns) {
 
 }  // namespace
 
+// A row takes some ten microseconds, a piece as long as five to a hundred of them. By arc length t
+// is the root of a polynomial.
+std::size_t many_rows(const Path& path, bool is_by_length) {
+  std::size_t many = 0;
+  for (const Segment& segment : path.segments()) {
+    const Curve* curve = ph_curve(segment);
+    many += curve == nullptr ? 300 : 300 + 20 * static_cast<std::size_t>(preimage_degree(*curve));
+  }
+  return is_by_length ? many / 8 : many;
+}
+
 NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
                    const RowPlaces& places)
     : columns_(columns), places_(places), orientations_(columns) {
@@ -64,20 +51,22 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
       places.size() < many_rows(path, places.is_by_length()))
     return;
   const bool has_length = !columns.scalars.empty() && are_lengths(columns);
-  if (places.is_by_length() || has_length) length_ = compiled([&] { return CompiledLength(path); });
+  if (places.is_by_length() || has_length)
+    length_ = where_compiled([&] { return CompiledLength(path); });
   if (places.is_by_length() && !length_) return;
   const auto [from, to] =
       goes_on(path) && !places.is_by_length() ? bounds_of(places) : std::pair(0.0, 1.0);
   if (goes_on(path) && start.exact && angle.reference() == Reference::euler_rodrigues) {
     if (!(from < to)) return;
     const Curve& curve = *ph_curve(path.segments().front());
-    points_ = compiled([&, least = from, most = to] { return CompiledPoints(curve, least, most); });
-    frames_ = compiled([&, least = from, most = to] {
+    points_ =
+        where_compiled([&, least = from, most = to] { return CompiledPoints(curve, least, most); });
+    frames_ = where_compiled([&, least = from, most = to] {
       return CompiledFrames(curve, *angle.closed_form(0), least, most, *start.exact);
     });
   } else {
-    points_ = compiled([&] { return CompiledPoints(path); });
-    frames_ = compiled([&] { return CompiledFrames(angle, start); });
+    points_ = where_compiled([&] { return CompiledPoints(path); });
+    frames_ = where_compiled([&] { return CompiledFrames(angle, start); });
   }
   has_rows_ = points_ && frames_ && are_of_rmf(columns) && are_lengths(columns) &&
               (columns.scalars.empty() || length_) && !columns.have_quaternions;

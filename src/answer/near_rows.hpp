@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/error.hpp"
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/answer/row_places.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
@@ -6,6 +7,21 @@
 #include "phrame/ph/frame/compiled_point.hpp"
 
 namespace phrame {
+
+/// From so many rows on it pays to compile a path.
+std::size_t many_rows(const Path& path, bool is_by_length);
+
+/// What make() makes; nothing where the polynomials are not found: then each row goes the exact
+/// way.
+template <class Make>
+auto where_compiled(const Make& make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const Undecided&) {
+  } catch (const DomainError&) {
+  }
+  return std::nullopt;
+}
 
 /// What compiled polynomials tell of the rows of a table, each number correctly rounded: nearly all
 /// rows of tables that are long enough for that to pay, none of others. Any thread may ask.

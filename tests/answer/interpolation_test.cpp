@@ -309,3 +309,23 @@ TEST_CASE("interpolation: speeds that are not positive are refused, with the pla
   CHECK(points(through, {RationalFunction({2}, {1, 2}), Feedrate::Of::arc_length}, 1).rows[1] ==
         Row{1, 1, 0.5, 1, 0, 0, 0});
 }
+
+// The row after one period of a table of two rows is computed exactly.
+TEST_CASE("interpolation: the rows of a long table are those of short ones") {
+  for (const Path& path :
+       {Path(test::farouki_quintic().curve), Path(test::chain(test::quarters())),
+        Path(bezier_curve({{0, 0, 0}, {1, 0, 2}, {2, 1, 0}, {1, 1, 1}}, {1, 2, 3, 1}))}) {
+    const RealBall total = PathLength(path).total().enclose(64);
+    const Rational period = total.lower() / 1000;
+    const FrameTable all = answer(NamedPath{"", path}, InterpolationQuery{feed({2}), period});
+    REQUIRE(all.rows.size() > 500);
+    for (long k = 1; k < 500; k += 31) {
+      CAPTURE(k);
+      const InterpolationQuery query{feed({2}), Rational(k) * period};
+      const Row row = answer(NamedPath{"", path}, query).rows[1];
+      CHECK(all.rows[static_cast<std::size_t>(k)][0] == static_cast<double>(k));
+      CHECK(Row(all.rows[static_cast<std::size_t>(k)].begin() + 1,
+                all.rows[static_cast<std::size_t>(k)].end()) == Row(row.begin() + 1, row.end()));
+    }
+  }
+}
