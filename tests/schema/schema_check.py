@@ -138,6 +138,14 @@ def check_command_line(folder):
         for kind in ("quintic", "planar", "cubic", "helical", "rrmf", "rmf", "c2", "c2-hermite"):
             ask("construct", points, "--kind", kind, "--print", "json")
             ask("construct", points, "--kind", kind, "--print", "curve")
+    for twist in ([], ["--smooth-twist"]):
+        posed = here / "posed.json"
+        weld = ROOT / "examples" / "paths" / "weld.csv"
+        ask("construct", weld, "--tangent-axis=-y", *twist, "--print", "json")
+        posed.write_text(ask("construct", weld, "--tangent-axis=-y", *twist, "--turns", "0,1,0,0,0,-1", "--print", "curve"))
+        for more in ([], ["--at", "1/2,3"], ["--up", "1,2,9"]):
+            ask("mtf", posed, *more, "--print", "json")
+        ask("frames", posed, "--frame", "mtf-exact", "--samples", "3", "--columns", "quaternion,twist_alpha", "--format", "json")
     for call in (["1/(x^4+1)", "--from", "0", "--to", "inf"], ["1/(x^4-2)", "--form", "radicals"], ["1/x", "--form", "real"],
                  ["(x^3+1)/(x^2-x-1)", "--form", "real", "--from", "2", "--to", "root(x^2-7, 2, 3)"],
                  ["1/(x^4-10*x^2+1)", "--form", "real"], ["1/(x^2+1)", "--from", "0", "--to", "pi/2"], ["1/(x^5-x-1)"],
