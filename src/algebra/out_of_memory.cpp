@@ -112,7 +112,8 @@ void* gmp_allocated(std::size_t size) {
   return p;
 }
 
-[[noreturn]] void abandon() {
+// For clang not to return is part of the type of a function by this attribute only.
+__attribute__((noreturn)) void abandon() {
   throw std::runtime_error("FLINT was asked for what it does not compute");
 }
 

@@ -100,7 +100,8 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
     const PointPair place = in_order(at_start(offset, pair.first), at_start(offset, pair.second));
     if (contains(told, place)) continue;
     told.push_back(place);
-    const auto& [a, b] = place;
+    const PiecePoint& a = place.first;
+    const PiecePoint& b = place.second;
     const Crossing found{a.piece, enclose(a.t, bits), b.piece, enclose(b.t, bits),
                          crossing_sign(offset, place)};
     const auto is_behind = [&](const Crossing& x) {
