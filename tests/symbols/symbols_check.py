@@ -49,7 +49,7 @@ def symbols(library):
     for line in run("nm", "--dynamic", "--defined-only", "--demangle", library).splitlines():
         kind, name = line.split(maxsplit=2)[1:]
         # Not what is weak: of templates and inline functions some are there, by one compiler, and some not.
-        if re.match(r"phrame::" if kind in "TDBR" else r"typeinfo for phrame::(v\d\w*::)?\w+$", name):
+        if kind in "TDBR" and name.startswith("phrame::") or re.match(r"typeinfo for phrame::(v\d\w*::)?\w+$", name):
             found.add(readable(name))
     return found
 
