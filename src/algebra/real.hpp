@@ -63,10 +63,10 @@ PHRAME_API Real operator*(const Real& x, const Real& y);
 PHRAME_API Real cached(const Real& x);
 /// The same number, which is known to be irrational.
 PHRAME_API Real known_irrational(const Real& x);
-/// √x for x ≥ 0, exact where it is rational.
+/// @{ √x for x ≥ 0, exact where it is rational; of an x that is not exact nothing is known.
 PHRAME_API Real square_root_of(const Rational& x);
-PHRAME_API Real
-square_root_of(const Real& x);  ///< likewise; of an x ≥ 0 that is not exact nothing is known
+PHRAME_API Real square_root_of(const Real& x);
+/// @}
 
 /// The number, where it is exact; else a ball of 64 bits around it, "[3.14159265358979
 /// +/- 3.24e-15]". For digits that are certain: round_to_decimal().

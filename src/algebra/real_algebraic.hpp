@@ -41,7 +41,7 @@ class PHRAME_API RealAlgebraic {
 
 /// The one real root of p in the interval, whatever its multiplicity. Throws DomainError where
 /// there are none or several, saying how many, and for p = 0. Cost: the factorization of p.
-RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
+PHRAME_API RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
 
 /// @{ Which is the greater one, decided exactly.
 PHRAME_API std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
@@ -63,7 +63,7 @@ struct RealRoot {
 
 /// The distinct real roots of p in the interval, ascending. Throws DomainError for p = 0. Cost: the
 /// factorization of p where there are any.
-std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
+PHRAME_API std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 
 /// The value of t, a root of p ≠ 0 in [a, b], where it is rational; no value where it is not. No
 /// polynomial is factored: t is asked for about as many bits as the leading coefficient has.

@@ -1,7 +1,8 @@
 """symbols_check.py LIBRARY COMPILER [--write]
 
-Compares what a shared phrame shows with phrame.txt beside this: functions and constants of the namespace phrame, and the
-classes that are thrown. A static library is linked to a shared one for it. With --write the list becomes what it shows.
+Is all marked PHRAME_API that public headers declare and the library defines? Then what a shared phrame shows is compared
+with phrame.txt beside this: functions and constants of the namespace phrame, and the classes that are thrown. A static
+library is linked to a shared one for it. With --write the list becomes what it shows.
 """
 import difflib
 import pathlib
@@ -11,6 +12,7 @@ import sys
 import tempfile
 
 LIST = pathlib.Path(__file__).with_name("phrame.txt")
+SOURCES = pathlib.Path(__file__).parents[2] / "src"
 
 
 def run(*command):
@@ -54,7 +56,36 @@ def symbols(library):
     return found
 
 
+def public_headers():
+    """The text of each, by its name, without comments."""
+    found, todo = {}, ["phrame.hpp", "algebra/multiprecision.hpp"]
+    while todo:
+        name = todo.pop()
+        if name in found or not (SOURCES / name).exists():
+            continue
+        found[name] = re.sub(r" *//.*", "", (SOURCES / name).read_text())
+        todo += re.findall(r'^#include "phrame/(.*)"', found[name], re.M)
+    return found
+
+
+def unmarked(text):
+    """What is declared here without a body and without PHRAME_API, as clang-format writes it."""
+    text = re.sub(r" = [^,;(){}]*(\(\)|\{\})?(?=[,)])", "", text)  # default arguments
+    text = re.sub(r"^template [^;{]*[;{]", "", text, flags=re.M)
+    functions = re.findall(r"^(?!PHRAME_API|inline|constexpr|using|namespace|class|struct|enum|extern|#|PHRAME_C_TYPE)"
+                           r"((?:\[\[noreturn\]\] (?!PHRAME_API))?\w[^;{}#]*\));", text, re.M)
+    for kind, name, body in re.findall(r"^(class|struct) (?!PHRAME_API)(\w+)[^;{]*\{(.*?)^\};", text, re.M | re.S):
+        if re.search(r"^  (?! |friend|using)[\w~:\[][^;{}=]*\)( const)?( noexcept)?( override)?;", body, re.M):
+            functions.append(f"{kind} {name}")
+    return functions
+
+
 def main(library, compiler, *options):
+    missing = [f"src/{header}: {' '.join(what.split())}" for header, text in sorted(public_headers().items())
+               for what in unmarked(text)]
+    if missing:
+        print(*missing, sep="\n")
+        sys.exit("These are public, and not marked PHRAME_API (docs/architecture.md).")
     with tempfile.TemporaryDirectory() as folder:
         found = sorted(symbols(shared(library, compiler, folder)))
     if "--write" in options:

@@ -66,6 +66,6 @@ PHRAME_API Profile circle_profile(const Rational& radius, const Rational& tolera
 PHRAME_API Profile rectangle_profile(const Rational& width, const Rational& height);
 
 /// The same with each side in so many equal pieces, ≥ 1 of them.
-Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
+PHRAME_API Profile subdivided(const Profile& profile, const std::vector<long>& pieces);
 
 }  // namespace phrame
