@@ -72,7 +72,7 @@ def unmarked(text):
     """What is declared here without a body and without PHRAME_API, as clang-format writes it."""
     text = re.sub(r" = [^,;(){}]*(\(\)|\{\})?(?=[,)])", "", text)  # default arguments
     text = re.sub(r"^template [^;{]*[;{]", "", text, flags=re.M)
-    functions = re.findall(r"^(?!PHRAME_API|inline|constexpr|using|namespace|class|struct|enum|extern|#|PHRAME_C_TYPE)"
+    functions = re.findall(r"^(?!PHRAME_API|inline|constexpr|using|namespace|class|struct|enum|extern|static_assert|#|PHRAME_C_TYPE)"
                            r"((?:\[\[noreturn\]\] (?!PHRAME_API))?\w[^;{}#]*\));", text, re.M)
     for kind, name, body in re.findall(r"^(class|struct) (?!PHRAME_API)(\w+)[^;{]*\{(.*?)^\};", text, re.M | re.S):
         if re.search(r"^  (?! |friend|using)[\w~:\[][^;{}=]*\)( const)?( noexcept)?( override)?;", body, re.M):
