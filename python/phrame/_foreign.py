@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+from importlib import import_module
 from typing import Any, Callable, Dict
 
 from ._convert import scipy_text
@@ -87,13 +89,9 @@ def _of_ezdxf(curve: Any) -> Any:
         return _nurbs(curve.control_points, curve.weights(), curve.knots(), curve.degree)
     if not hasattr(curve, "dxftype"):
         raise _refuse(curve, f"a {type(curve).__name__} of ezdxf is no curve")
-    import io
-
-    import ezdxf
-
     from ._phrame import parse
 
-    drawing = ezdxf.new("R2010")
+    drawing = import_module("ezdxf").new("R2010")
     drawing.modelspace().add_foreign_entity(curve)
     file = io.StringIO()
     drawing.write(file)

@@ -156,10 +156,12 @@ def number(x: Any, place: str) -> Any:
 
 
 def _columns(x: Any) -> Optional[Sequence[Any]]:
-    """The names of the columns of a table: of pandas, polars, pyarrow, or a structured array."""
+    """The names of the columns of a table: of pandas, polars, pyarrow, xarray, or a structured array."""
     if hasattr(x, "dtype"):
         names = getattr(x.dtype, "names", None)
         return None if names is None else list(names)
+    if hasattr(x, "data_vars"):
+        return list(x.data_vars)
     for name in ("column_names", "columns"):
         names = _attribute(x, name)
         if names is not None and not callable(names) and len(getattr(x, "shape", ())) == 2:
@@ -169,7 +171,18 @@ def _columns(x: Any) -> Optional[Sequence[Any]]:
 
 def _column(x: Any, name: Any) -> Any:
     column = x[name]
-    return column.to_pylist() if hasattr(column, "to_pylist") else column
+    return column.to_pylist() if hasattr(column, "to_pylist") else column.values if hasattr(column, "dims") else column
+
+
+def _by_label(x: Any, known: Sequence[str]) -> Any:
+    """An array of xarray that has the known names along one of its two axes, with these as columns."""
+    dims = _attribute(x, "dims")
+    if dims is None or not hasattr(x, "sel") or len(dims) != 2:
+        return x
+    for dim, other in (dims, dims[::-1]):
+        if dim in x.coords and sorted(map(str, x.coords[dim].values)) == sorted(known):
+            return x.transpose(other, dim).sel({dim: list(known)}).values
+    return x
 
 
 def _unmasked(x: Any, place: str) -> Any:
@@ -230,7 +243,7 @@ def numbers(x: Any, place: str) -> Any:
 
 def rows(x: Any, place: str, known: Sequence[str]) -> Any:
     """Rows of numbers. The columns of a table are taken by name, where they have the known ones, else in their order."""
-    x = _unmasked(_plain(x, place), place)
+    x = _by_label(_unmasked(_plain(x, place), place), known)
     names = _columns(x)
     if names is None:
         return _array(x, place)

@@ -18,6 +18,11 @@ def component(thing: Any, method: str, at: Any, k: int, *more: Any) -> Any:
     return getattr(thing, method)(at, *more)[k]
 
 
+def extreme(thing: Any, axis: int, end: int) -> Any:
+    """One number of the box around a path."""
+    return thing.bounding_box[axis][end]
+
+
 def element(thing: Any, attribute: str, k: int) -> Any:
     """One of those that an object has."""
     return getattr(thing, attribute)[k]

@@ -214,6 +214,34 @@ nb::object parameter_at(nb::handle self, nb::handle s) {
                : to_python(parameter(at), method_recipe(self, "parameter_at", to_python(length)));
 }
 
+nb::object bounding_box(nb::handle self) {
+  const auto box = at_place("bounding_box", [&] {
+    return without_gil([along = path_of(self).named.path] { return bounding_box(along); });
+  });
+  nb::list axes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto end = [&](const PathExtreme& x, long of) {
+      return to_python(x.value, recipe(imported("phrame._pickle", "extreme"), self, k, of));
+    };
+    axes.append(nb::make_tuple(end(box[k].least, 0), end(box[k].greatest, 1)));
+  }
+  return nb::tuple(axes);
+}
+
+nb::object nearest(nb::handle self, nb::handle point) {
+  const Vector<Rational> p = vector(point, "point");
+  const PathExtreme found = at_place("nearest", [&] {
+    return without_gil([along = path_of(self).named.path, p] { return nearest_point(along, p); });
+  });
+  const auto known = algebraic_parameter(found.at);
+  const nb::object kept = to_python(p);
+  const auto part = [&](long k) {
+    return recipe(imported("phrame._pickle", "component"), self, nb::str("nearest"), kept, k);
+  };
+  return nb::make_tuple(known ? to_python(*known) : to_python(parameter(found.at), part(0)),
+                        to_python(found.value, part(1)));
+}
+
 nb::object domain(nb::handle self, const Text<"by">& by) {
   const PathObject& path = path_of(self);
   const ParameterKind kind = parameter_kind(by);
@@ -252,6 +280,16 @@ void bind_places(PathClass& path) {
       .def("point", point, argument("t"), argument("by") = "t",
            nb::sig("def point(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_VECTOR_SIG),
            "r(t).")
+      .def_prop_ro(
+          "bounding_box", [](nb::handle self) { return bounding_box(self); },
+          nb::sig("def bounding_box(self) -> tuple[tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG
+                  "], ...]"),
+          "Of polynomial and rational curves from where to where x, y and z go, by the "
+          "roots of their derivatives.")
+      .def("nearest", nearest, argument("point"),
+           nb::sig("def nearest(self, point: Vector) -> tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG
+                   "]"),
+           "Where such a curve is nearest to the point: t, and the distance.")
       .def("domain", domain, argument("by") = "t",
            nb::sig("def domain(self, " PHRAME_BY_SIG ") -> tuple[" PHRAME_REAL_SIG
                    ", " PHRAME_REAL_SIG "]"),

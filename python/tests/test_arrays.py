@@ -159,6 +159,20 @@ def test_threads_share_one_angle():
     assert all(values == expected for values in found.values()) and len(found) == 4
 
 
+def test_boxes_and_nearest_points():
+    """x = 3t² − 2t³, y = 3t(1 − t): the box by hand, distances by NumPy of many points."""
+    path = phrame.Path.bezier([[0, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0, 0]])
+    assert path.bounding_box == ((0, 1), (0, Fraction(3, 4)), (0, 0))
+    t, distance = path.nearest([2, 1, 1])
+    points = path.points(np.linspace(0, 1, 2001))
+    least = np.linalg.norm(points - [2, 1, 1], axis=1).min()
+    assert least - 1e-6 < float(distance) <= least
+    assert abs(np.linalg.norm(path.points([float(t)])[0] - [2, 1, 1]) - float(distance)) < 1e-15
+    assert pickle.loads(pickle.dumps(distance)) == distance
+    with pytest.raises(phrame.DomainError, match="nearest: segment 1 is by formulas"):
+        phrame.Path.expressions("cos(s)", "exp(s)", "s", 0, 1).nearest([0, 0, 0])
+
+
 def test_parameters_of_files_and_of_lengths_are_named_by_by():
     """s of a helix, knots of a NURBS; 3 cos s and 3 sin s by NumPy, lengths by arc_length."""
     helix = phrame.Path.expressions("3*cos(s)", "3*sin(s)", "4*s", 0, "4*pi")

@@ -551,6 +551,8 @@ def test_tables_give_columns_by_name():
     xarray = pytest.importorskip("xarray")
     assert phrame.Path.polyline(xarray.Dataset({name: ("k", column) for name, column in rows.items()})) == wanted
     assert phrame.Path.polyline(xarray.DataArray([[0.0, 0, 0], [2, 1, 1], [5, -1, 2]], dims=("k", "c"))) == wanted
+    by_label = xarray.DataArray([[0.0, 1, 2], [0, 2, 5], [0, 1, -1]], dims=("axis", "k"), coords={"axis": ["z", "x", "y"]})
+    assert phrame.Path.polyline(by_label) == wanted == phrame.Path.polyline(by_label.T)
 
 
 def test_curves_with_units_are_refused():

@@ -59,6 +59,28 @@ void add_holonomy(InfoAnswer& answer, const PathAngle& angle, long digits) {
   }
 }
 
+std::array<std::array<Decimal, 2>, 3> box_of(const Path& path, long digits) {
+  std::array<std::array<Decimal, 2>, 3> box;
+  const auto ranges = bounding_box(path);
+  for (std::size_t k = 0; k < 3; ++k)
+    box[k] = {rounded_or_zero(ranges[k].least.value, "the box", digits),
+              rounded_or_zero(ranges[k].greatest.value, "the box", digits)};
+  return box;
+}
+
+InfoAnswer::Nearest nearest_to(const Path& path, const Vector<Rational>& p, long digits) {
+  const PathExtreme found = nearest_point(path, p);
+  InfoAnswer::Nearest nearest{
+      p,
+      rounded_or_zero(parameter(found.at), "t of the nearest point", digits),
+      {},
+      rounded_or_zero(found.value, "the distance", digits)};
+  const Vector<Real> r = position(path, found.at);
+  for (std::size_t k = 0; k < 3; ++k)
+    nearest.point[k] = rounded_or_zero(r[k], "the nearest point", digits);
+  return nearest;
+}
+
 }  // namespace
 
 InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
@@ -83,6 +105,8 @@ InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
   else
     add_holonomy(answer, angle, query.digits);
   if (is_single) answer.cusps = cusps(path.segments().front());
+  if (query.wants_box) answer.box = box_of(path, query.digits);
+  if (query.nearest) answer.nearest = nearest_to(path, *query.nearest, query.digits);
   return answer;
 }
 

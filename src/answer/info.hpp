@@ -1,13 +1,16 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/nearest.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame {
 
 /// Asks for the length, the twist, the energy and other numbers of a path.
 struct InfoQuery {
-  long digits = 17;  ///< of all numbers
+  long digits = 17;                              ///< of all numbers
+  bool wants_box = false;                        ///< the box around it
+  std::optional<Vector<Rational>> nearest = {};  ///< where is it nearest to this point?
 };
 
 /// The numbers of a path.
@@ -42,6 +45,16 @@ struct InfoAnswer {
   // Of a PH curve by itself:
   std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back
   std::vector<Decimal> erf_extrema = {};      ///< in (0, 1), of its rate about e₁
+  // Where they are asked for:
+  std::optional<std::array<std::array<Decimal, 2>, 3>> box = {};  ///< of x, y, z from and to
+  /// The nearest point.
+  struct Nearest {
+    Vector<Rational> to;  ///< as asked
+    Decimal t;            ///< the parameter there
+    Vector<Decimal> point;
+    Decimal distance;
+  };
+  std::optional<Nearest> nearest = {};
 };
 
 /// Throws Undecided, with the name of what it is, where a number cannot be rounded.

@@ -10,12 +10,15 @@ struct InfoOptions {
   std::string print = "text";
   TextLength length;
   long digits = 17;
+  bool wants_box = false;
+  std::optional<std::string> nearest;
 };
 
 void run(const InfoOptions& options) {
   const auto print = choose<std::string (*)(const InfoAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
-  const InfoQuery query{options.digits};
+  InfoQuery query{options.digits, options.wants_box, {}};
+  if (options.nearest) query.nearest = parse_vector_option("--nearest", *options.nearest);
   const NamedPath path = options.curve.read_any_path();
   options.length.write(options.curve.output, print(answer(path, query)));
 }
@@ -30,12 +33,17 @@ void add_info(Program& program) {
   command.add_format("--print", options->print, {"text", "json", "latex"},
                      "text (default), json or latex");
   options->length.add_to(command);
+  command.add_flag("--box", options->wants_box,
+                   "the box around polynomial and rational curves, exactly: x, y and z from, to");
+  command.add_option("--nearest", "X,Y,Z", options->nearest,
+                     "where such a curve is nearest to this point, and how near");
   command.set_notes(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"
       "Of curves that are not Pythagorean-hodograph the twist is that of the frame of a vector v.\n"
       "Examples:\n"
       "  phrame info curve.json --digits 30\n"
+      "  phrame info curve.json --box --nearest 1,2,3\n"
       "  phrame info curve.json --print json -o info.json");
   command.does([options] { run(*options); });
 }

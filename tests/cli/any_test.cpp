@@ -17,6 +17,26 @@ const std::string loop = R"({"phrame": "curve/1", "name": "loop",
 
 }  // namespace
 
+// The parabola x = 4t, y = 4t(1 − t).
+TEST_CASE("info: the box around a curve, and where it is nearest to a point") {
+  const Workshop here;
+  here.write("parabola.json",
+             R"({"phrame": "curve/1", "control_points": [[0,0,0], [2,2,0], [4,0,0]]})");
+  const Run text = here.run("info parabola.json --box --nearest 2,3,0 --digits 5");
+  check_success(text);
+  CHECK(contains(text.out, "y from"));
+  CHECK(contains(text.out, "0 to 1"));
+  CHECK(contains(text.out, "nearest point at t     0.50000"));
+  const auto json =
+      Json::parse(here.run("info parabola.json --box --nearest 2,3,0 --print json").out);
+  CHECK(json["box"]["x"][1]["value"] == "4.0000000000000000");
+  CHECK(json["box"]["y"][1]["value"] == "1.0000000000000000");
+  CHECK(json["nearest"]["t"]["value"] == "0.50000000000000000");
+  CHECK(json["nearest"]["distance"]["value"] == "2.0000000000000000");
+  check_failure(here.run("info parabola.json --nearest 1,2"), 2,
+                "--nearest: \"1,2\" is not a vector x,y,z");
+}
+
 // The values are those of tests/answer/any_path_test.cpp.
 TEST_CASE("any curve: info and totals, as text, JSON and LaTeX") {
   const Workshop here;

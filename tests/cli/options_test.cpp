@@ -122,7 +122,8 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--question", "info"},
                                                 {"--linked-with", "spline.json"},
                                                 {"--scale-column", "radius"},
-                                                {"--pick", "left"}};
+                                                {"--pick", "left"},
+                                                {"--nearest", "1,2,3"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{

@@ -218,6 +218,33 @@ Fields path_fields(const InfoAnswer& info, const Field& length) {
   return fields;
 }
 
+/// "0 to 5" and ["0", "5"], each as an enclosure.
+Value range_value(const std::array<Decimal, 2>& range) {
+  return {Value::Words([range](Notation notation) {
+            return fmt::format("{} to {}", in_words(range[0], notation),
+                               in_words(range[1], notation));
+          }),
+          [range] {
+            return JsonOutput{json_of(range[0]), json_of(range[1])};
+          }};
+}
+
+Fields extreme_fields(const InfoAnswer& info) {
+  Fields fields;
+  if (info.box)
+    fields.push_back(object_field("box", {{"x", "$x$ from", range_value((*info.box)[0])},
+                                          {"y", "$y$ from", range_value((*info.box)[1])},
+                                          {"z", "$z$ from", range_value((*info.box)[2])}}));
+  if (!info.nearest) return fields;
+  const auto& [to, t, point, distance] = *info.nearest;
+  fields.push_back(object_field(
+      "nearest", {json_field("to", json_of(to)),
+                  {"t", "nearest point at $t$", t},
+                  json_field("point", {json_of(point[0]), json_of(point[1]), json_of(point[2])}),
+                  {"distance", "its distance", distance}}));
+  return fields;
+}
+
 Fields fields(const InfoAnswer& info) {
   const Path& path = info.path.path;
   const bool is_single = path.segments().size() == 1;
@@ -243,6 +270,7 @@ Fields fields(const InfoAnswer& info) {
                     fmt::format("energy $∫{} κ²\\, ds$", ph != nullptr ? "₀¹" : ""),
                     energy(info.bending_energy)});
   if (ph == nullptr) fields.push_back({"holonomy", "holonomy", optional_value(info.holonomy, {})});
+  add(extreme_fields(info));
   if (!info.bending_energy) fields.push_back(json_field("bending_energy_reason", "∞"));
   if (!info.no_holonomy.empty())
     fields.push_back({"holonomy_reason",

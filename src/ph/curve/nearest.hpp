@@ -1,0 +1,28 @@
+#pragma once
+#include "phrame/ph/curve/place.hpp"
+
+namespace phrame {
+
+/// Where something is least or greatest along a path, and what it is there.
+struct PathExtreme {
+  Place at;    ///< of several that are not told apart by 4096 bits the first one
+  Real value;  ///< exact where that is seen to be rational
+};
+
+/// The least and the greatest value of a coordinate.
+struct PathRange {
+  PathExtreme least;
+  PathExtreme greatest;
+};
+
+/// The box around a path of rational curves: of x, y and z where they are least and greatest, at
+/// ends of segments and at the roots of their derivatives, which are isolated. Throws DomainError
+/// for a segment by formulas. Cost: root isolation of degree n, 2n where it is rational.
+std::array<PathRange, 3> bounding_box(const Path& path);
+
+/// The point of a path of rational curves that is nearest to p, and its distance: of all points
+/// where r − p is across r′, and of ends. Throws likewise. Cost: root isolation of degree 2n − 1,
+/// 3n where it is rational.
+PathExtreme nearest_point(const Path& path, const Vector<Rational>& p);
+
+}  // namespace phrame
