@@ -28,30 +28,28 @@ def entry(file, program, points=(), at=(), by="t", **more):
 
 
 def with_ezdxf():
+    """One file of each release, a layer for each curve."""
     import ezdxf
     from ezdxf.math import BSpline, ConstructionArc, bulge_to_arc
 
     program = version("ezdxf")
-
-    def save(name, add, release="R2010"):
-        drawing = ezdxf.new(release)
-        add(drawing.modelspace())
-        drawing.saveas(OUT / name)
-
-    for release in ("R12", "R2000", "R2018"):
-        name = f"arc-{release}.dxf"
-        save(name, lambda m: m.add_arc((1, 2, 3), 2.5, 30, 200), release)
-        arc = ConstructionArc((1, 2), 2.5, 30, 200)
-        shares = [0, 0.25, 0.5, 1]
-        entry(name, program, [(*v, 3.0) for v in arc.vertices([30 + 170 * x for x in shares])], shares, "fraction",
-              length=2.5 * math.radians(170))
-    save("circle.dxf", lambda m: m.add_circle((0.1, 0.2), 3))
-    entry("circle.dxf", program, [(0.1 + 3 * math.cos(2 * math.pi * x), 0.2 + 3 * math.sin(2 * math.pi * x)) for x in (0, 0.3, 0.5)],
-          [0, 0.3, 0.5], "fraction", length=6 * math.pi)
+    points = [(0, 0, 0), (1, 2, 0), (3, 0, 1), (4, 1, 2), (5, 5, 5), (7, 5, 4)]
+    splines = {"spline": BSpline(points, order=4), "nurbs": BSpline(points, order=4, weights=[1, 2, 1, 0.5, 1, 1])}
     vertices = [(0, 0, 0.5), (4, 0, 0), (4, 3, -0.25), (0, 3, 0)]
-    for release, polyline in (("R2010", "add_lwpolyline"), ("R12", "add_polyline2d")):
-        name = f"bulges-{release}.dxf"
-        save(name, lambda m, add=polyline: getattr(m, add)(vertices, format="xyb"), release)
+    for release in ("R12", "R2000", "R2018"):
+        name = f"ezdxf-{release}.dxf"
+        drawing = ezdxf.new(release)
+        space = drawing.modelspace()
+
+        def layer(layer):
+            return {"dxfattribs": {"layer": layer}}
+
+        space.add_arc((1, 2, 3), 2.5, 30, 200, **layer("arc"))
+        shares = [0, 0.25, 0.5, 1]
+        arc = ConstructionArc((1, 2), 2.5, 30, 200)
+        entry(name, program, [(*v, 3.0) for v in arc.vertices([30 + 170 * x for x in shares])], shares, "fraction", pick="arc",
+              length=2.5 * math.radians(170))
+        (space.add_polyline2d if release == "R12" else space.add_lwpolyline)(vertices, format="xyb", **layer("bulges"))
         length = 0
         for (x, y, bulge), (u, v, _) in zip(vertices, vertices[1:]):
             if bulge:
@@ -59,30 +57,25 @@ def with_ezdxf():
                 length += r * ((b - a) % (2 * math.pi))
             else:
                 length += math.hypot(u - x, v - y)
-        entry(name, program, [(0, 0), (0, 3)], [0, 1], "fraction", length=length)
-    ellipse = {}
-    save("ellipse.dxf", lambda m: ellipse.update(e=m.add_ellipse((1, 1, 2), (4, 1, 0), 0.5, 0.3, 2.1)))
-    entry("ellipse.dxf", program, [tuple(v) for v in ellipse["e"].vertices([0.3, 2.1])], [0, 1], "fraction")
-    points = [(0, 0, 0), (1, 2, 0), (3, 0, 1), (4, 1, 2), (5, 5, 5), (7, 5, 4)]
-    for name, spline in (("spline.dxf", BSpline(points, order=4)), ("nurbs.dxf", BSpline(points, order=4, weights=[1, 2, 1, 0.5, 1, 1]))):
-        def add(m, spline=spline):
-            m.add_spline().apply_construction_tool(spline)
-        save(name, add)
-        us = np.linspace(0, spline.max_t, 7)
-        entry(name, program, [tuple(p) for p in spline.points(us)], us, "native")
-    save("polyline3d.dxf", lambda m: m.add_polyline3d(points))
-    entry("polyline3d.dxf", program, points, range(6))
-
-    def pipe(m):
-        m.add_line((0, 0), (10, 0), dxfattribs={"layer": "pipe"})
-        m.add_line((15, 20), (15, 5), dxfattribs={"layer": "pipe"})
-        m.add_circle((0, 0), 1, dxfattribs={"layer": "hole"})
-        m.add_arc((10, 5), 5, -90, 0, dxfattribs={"layer": "pipe"})
-        m.add_text("pipe")
-
-    save("layers.dxf", pipe)
-    entry("layers.dxf", program, [(0, 0), (15, 20)], [0, 1], "fraction", pick="pipe", length=25 + 2.5 * math.pi)
-    entry("layers.dxf", program, [(1, 0)], [0], pick="hole", length=2 * math.pi)
+        entry(name, program, [(0, 0), (0, 3)], [0, 1], "fraction", pick="bulges", length=length)
+        space.add_polyline3d(points, **layer("polyline"))
+        entry(name, program, points, range(6), pick="polyline")
+        space.add_line((0, 0), (10, 0), **layer("pipe"))
+        space.add_line((15, 20), (15, 5), **layer("pipe"))
+        space.add_circle((0.1, 0.2), 3, **layer("hole"))
+        space.add_arc((10, 5), 5, -90, 0, **layer("pipe"))
+        space.add_text("pipe")
+        entry(name, program, [(0, 0), (15, 20)], [0, 1], "fraction", pick="pipe", length=25 + 2.5 * math.pi)
+        entry(name, program, [(0.1 + 3 * math.cos(2 * math.pi * x), 0.2 + 3 * math.sin(2 * math.pi * x)) for x in (0, 0.3, 0.5)],
+              [0, 0.3, 0.5], "fraction", pick="hole", length=6 * math.pi)
+        if release != "R12":
+            ellipse = space.add_ellipse((1, 1, 2), (4, 1, 0), 0.5, 0.3, 2.1, **layer("ellipse"))
+            entry(name, program, [tuple(v) for v in ellipse.vertices([0.3, 2.1])], [0, 1], "fraction", pick="ellipse")
+            for kind, spline in splines.items():
+                space.add_spline(**layer(kind)).apply_construction_tool(spline)
+                us = np.linspace(0, spline.max_t, 7)
+                entry(name, program, [tuple(p) for p in spline.points(us)], us, "native", pick=kind)
+        drawing.saveas(OUT / name)
 
 
 def with_splipy():

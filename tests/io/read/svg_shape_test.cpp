@@ -46,6 +46,7 @@ TEST_CASE("SVG shapes: outlines are those of the paths they are equivalent to") 
   CHECK(round.path.is_closed());
   CHECK(round.path.corners().empty());
   CHECK(start_of_path(round) == Vector<Rational>{3, 2, 0});
+  CHECK(round.path == read("<rect x='1' y='2' width='10' height='6' ry='2'/>").path);
   CHECK(length_of(round) == doctest::Approx(32 - 16 + 4 * pi).epsilon(1e-15));
   // Corners are at most half a side: an ellipse of the half axes 5 and 1, as ry = 1 is given.
   CHECK(length_of(read("<rect width='10' height='2' rx='7' ry='1'/>")) ==
