@@ -332,6 +332,8 @@ void add_frames(Program& program) {
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   command.only_with(StartOptions::names(), {"--frame rmf"});
   options->roll.add_to(command);
+  command.only_with(RollOption::names(),
+                    {"--frame rmf", "--frame up", "--frame mtf", "--frame mtf-exact"});
   options->up.add_to(
       command,
       "frame up, v x e1/|v x e1| and e1 x (v x e1)/|v x e1|, that --start up starts\n"

@@ -122,6 +122,8 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--question", "info"},
                                                 {"--linked-with", "spline.json"},
                                                 {"--scale-column", "radius"},
+                                                {"--roll", "t/3"},
+                                                {"--roll-column", "bank"},
                                                 {"--pick", "left"},
                                                 {"--nearest", "1,2,3"}};
 

@@ -168,6 +168,9 @@ bool is_pose_file(std::string_view bytes) {
 GivenPoints read_poses(std::string_view bytes, const PoseReading& poses,
                        const FileReading& reading) {
   const bool is_json = is_pose_file(bytes);
+  if (const auto first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+      !is_json && first != std::string_view::npos && bytes[first] == '{')
+    throw InputError("/phrame", "orientations are in tables and in the format \"poses/1\"");
   if (is_json) reading.refuse_skipping("poses/1");
   GivenPoints given = is_json ? read_json(bytes, poses) : read_table(bytes, poses, reading);
   if (poses.tangent) given.poses->tangent = *poses.tangent;
