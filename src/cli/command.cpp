@@ -343,10 +343,10 @@ void Parameters::add_values_to(Command& command) {
                      "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
 }
 
-std::vector<Rational> Parameters::values(const Rational& end) const {
+std::vector<Rational> Parameters::values() const {
   std::vector<Rational> result;
   for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
-  for (long k = 0; k < samples; ++k) result.push_back(end * Rational(k, samples - 1));
+  for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
   return result;
 }
 

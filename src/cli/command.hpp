@@ -83,8 +83,8 @@ struct Parameters {
   ParameterKind kind() const;
   /// Throws InputError where it is by a parameter that the path does not have.
   Parametrization on(const NamedPath& named) const;
-  /// In the order given, then the N equally spaced ones on [0, end].
-  std::vector<Rational> values(const Rational& end = 1) const;
+  /// In the order given, then the N equally spaced ones on [0, 1].
+  std::vector<Rational> values() const;
 };
 
 /// The parts of lists separated by commas, in order, without blanks around them; an empty part is a
