@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -45,7 +46,7 @@ PathExtreme least(const Path& path, const F& f, bool is_square = false) {
     consider(Place(k, Rational(0)));
     const Polynomial slope = differentiate(g).numerator();
     if (!slope.is_constant())
-      for (const RealRoot& zero : real_roots(slope, closed(0, 1))) consider(Place(k, zero.at));
+      for (const RealRoot& zero : real_roots(slope, closed_interval(0, 1))) consider(Place(k, zero.at));
     consider(Place(k, Rational(1)));
   }
   return is_square ? *root : *found;

@@ -20,7 +20,7 @@ namespace {
 
 /// N of s′ = N/(D√S), with the sign that it has next to 0.
 PieceRate with_positive(RootQuotient rate, const Polynomial& of_sign) {
-  if (!odd(real_roots(of_sign, open(0, 1))).empty())
+  if (!odd(real_roots(of_sign, open_interval(0, 1))).empty())
     throw Undecided("compiled length: the arc length is no polynomial where a curve turns back");
   long denominator = 2;
   while (of_sign(Rational(1, denominator)) == 0) ++denominator;

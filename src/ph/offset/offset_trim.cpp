@@ -36,7 +36,7 @@ void require_no_turning_back(const PhPath& path) {
     if (!turns.empty())
       throw DomainError(
           fmt::format("trimmed_offset: the path turns back at a cusp, in segment {} at {}", k + 1,
-                      place("t", turns.front().at)));
+                      place_text("t", turns.front().at)));
   }
 }
 
@@ -128,7 +128,7 @@ std::vector<RealAlgebraic> passages(const RationalCurve& curve, const Vector<Rat
   std::vector<RealAlgebraic> found;
   const Polynomial common = gcd(gap(0), gap(1));
   if (common.is_constant()) return found;
-  for (const RealRoot& root : real_roots(common, open(0, 1))) found.push_back(root.at);
+  for (const RealRoot& root : real_roots(common, open_interval(0, 1))) found.push_back(root.at);
   return found;
 }
 
@@ -322,7 +322,7 @@ class Trimmer {
       Crossing near = x;
       near.first_t = s;
       near.second_t = t;
-      return remembered(Real(Real::Enclosure([series = series_, near, is_first](long bits) {
+      return cached(Real(Real::Enclosure([series = series_, near, is_first](long bits) {
         const auto both = narrowed(*series, near, bits);
         return is_first ? both.first : both.second;
       })));

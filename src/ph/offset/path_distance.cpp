@@ -40,7 +40,7 @@ bool is_negative_somewhere(Polynomial p) {
   constexpr int depth = 10;
   const Sign seen = sign_of(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), depth);
   if (seen != Sign::unknown) return seen == Sign::negative;
-  return std::ranges::any_of(real_roots(p, open(0, 1)),
+  return std::ranges::any_of(real_roots(p, open_interval(0, 1)),
                              [](const RealRoot& root) { return root.order % 2 != 0; });
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// f(t), exact where t is.
 Real value(const RationalFunction& f, const Real& t) {
   if (t.exact()) return f(*t.exact());
-  return remembered(Real(
+  return cached(Real(
       Real::Enclosure([f, t](long bits) { return evaluate(f, t.enclose(bits + 32), bits + 64); })));
 }
 
@@ -30,7 +30,7 @@ class DirectionAngle {
   /// φ(to) − φ(from).
   Real between(const Real& from, const Real& to) const {
     if (is_straight_) return Rational(0);
-    return remembered(Real(Real::Enclosure([*this, from, to](long bits) {
+    return cached(Real(Real::Enclosure([*this, from, to](long bits) {
       return subtract(from_start(to, bits + 16), from_start(from, bits + 16), bits);
     })));
   }
