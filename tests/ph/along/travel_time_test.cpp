@@ -1,11 +1,11 @@
-#include "phrame/algebra/algebraic_point.hpp"
-#include "phrame/ph/along/segment_time.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
 #include <cmath>
 
+#include "phrame/algebra/algebraic_point.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/quadrature.hpp"
+#include "phrame/ph/along/segment_time.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"

@@ -1,7 +1,7 @@
-#include "phrame/algebra/complex_series.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 
 #include "phrame/algebra/ball.hpp"
+#include "phrame/algebra/complex_series.hpp"
 #include "phrame/io/read/formula.hpp"
 #include "phrame/ph/curve/exact_vector.hpp"
 #include "support/expression_curves.hpp"
