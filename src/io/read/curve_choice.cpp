@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rational.hpp"
 
 namespace phrame {
 namespace {

@@ -7,6 +7,7 @@
 #include "phrame/answer/classification.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame {
 namespace {

@@ -1,4 +1,6 @@
 #include "phrame/ph/curve/expression_curve.hpp"
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/error.hpp"
 
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/complex_series.hpp"

@@ -5,6 +5,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
