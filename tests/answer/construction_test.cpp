@@ -3,6 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 
 namespace construction_test {
