@@ -7,6 +7,7 @@
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
+#include "phrame/ph/frame/near_deviation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame {
@@ -74,6 +75,20 @@ ExactFrame exact_frame(const PathAngle& angle, const PathParameter& at, Forward 
   return exact;
 }
 
+/// In balls where these tell all that is asked, else exactly.
+FrameDeviation deviation_of(const PathAngle& angle, const GivenFrame& frame, Forward forward,
+                            long bits) {
+  const Path& path = angle.path();
+  const PathParameter at = place_of(path, frame);
+  const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
+  if (ph != nullptr && angle.reference() == Reference::euler_rodrigues) {
+    const int side = forward == Forward::preimage ? 1 : side_of(path, at);
+    if (auto near = near_deviation(*ph, at.t, angle.value(at).enclose(bits), side, frame, bits))
+      return *std::move(near);
+  }
+  return deviation_from(exact_frame(angle, at, forward, bits), frame, bits);
+}
+
 /// The arc length from a to b; no value where that is not told from 0.
 std::optional<RealBall> length_between(const PathLength& length, const Path& path,
                                        const Rational& a, const Rational& b, long bits) {
@@ -94,10 +109,7 @@ FrameVerdict check_frames(const PathAngle& angle, const std::vector<GivenFrame>&
   if (options.start) start = start_angle(*options.start, angle).value;
   const PathLength length(path);
   const ExactFrames exact{
-      [&](const GivenFrame& frame, long bits) {
-        return deviation_from(exact_frame(angle, place_of(path, frame), forward, bits), frame,
-                              bits);
-      },
+      [&](const GivenFrame& frame, long bits) { return deviation_of(angle, frame, forward, bits); },
       [&](const Rational& a, const Rational& b, long bits) {
         return length_between(length, path, a, b, bits);
       },
