@@ -22,7 +22,8 @@ Place RowPlaces::place(std::size_t k) const {
 std::optional<NearNumber> RowPlaces::number(std::size_t k) const {
   if (!at_) return near_number(numbers()[k]);
   const Place& at = (*at_)[k];
-  if (!at.t.exact()) return std::nullopt;
+  // The end of a segment may be one side of a corner, and as a number it would be the other.
+  if (!at.t.exact() || *at.t.exact() == 1) return std::nullopt;
   return near_number(Rational(static_cast<long>(at.segment)) + *at.t.exact());
 }
 

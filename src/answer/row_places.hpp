@@ -21,7 +21,8 @@ class RowPlaces {
   std::size_t size() const { return at_ ? at_->size() : numbers_->size(); }
   /// Of row k.
   Place place(std::size_t k) const;
-  /// t along the path or s, as is_by_length() says; no value where it is no fraction.
+  /// t along the path or s, as is_by_length() says; no value where it is no fraction,
+  /// or the place is the end of a segment.
   std::optional<NearNumber> number(std::size_t k) const;
   bool is_by_length() const { return length_.has_value(); }
   const std::vector<Rational>& numbers() const { return *numbers_; }

@@ -92,6 +92,20 @@ TEST_CASE("near rows: of curves of many kinds they are the exact ones, and nearl
   SUBCASE("by formulas") { check_rows(Path(test::torus_knot(2, 3)), 311); }
 }
 
+// The end of a segment is no number: at a joint that would be the start of the next one.
+TEST_CASE("near rows: at a corner they are those of the side that is asked for") {
+  const Path path = test::polygon({{0, 0, 0}, {1, 2, 0}, {3, 1, 1}, {2, 5, 4}});
+  const PathAngle angle = angle_to(std::nullopt, path);
+  TableColumns columns{{TabulatedFrame::rmf}};
+  std::vector<Place> at(2000, Place(1, Rational(1, 3)));
+  at[7] = Place(0, Rational(1));
+  at[8] = Place(1, Rational(0));
+  const FrameTable all = frame_table(angle, columns, at);
+  CHECK(all.rows[7] == frame_table(angle, columns, {at[7]}).rows[0]);
+  CHECK(all.rows[8] == frame_table(angle, columns, {at[8]}).rows[0]);
+  CHECK(all.rows[7][4] != all.rows[8][4]);
+}
+
 // The arc length is none of a polynomial where f changes its sign.
 TEST_CASE("near rows: of a curve that turns back they are the exact ones") {
   const Path path(Curve(test::quintic.preimage(), Polynomial{-1, 3}));
