@@ -161,12 +161,15 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
 /// curve.
 AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& options) {
   const Path& path = named.path;
+  const Parametrization by = options.parameters.on(named);
   const std::vector<Rational> asked = Parameters{options.parameters.at}.values();
   const long samples = options.parameters.samples;
-  const Parametrization by = options.parameters.on(named);
-  std::vector<Rational> numbers = asked;
-  if (by.kind() == ParameterKind::t || by.kind() == ParameterKind::arc_length)
-    for (const Real& x : by.sample_values(samples)) numbers.push_back(*x.exact());
+  std::vector<Rational> numbers;
+  if (by.kind() == ParameterKind::t || by.kind() == ParameterKind::arc_length) {
+    numbers = asked;
+    const Rational last = samples > 0 ? *by.sample_values(2).back().exact() : 0;
+    for (long k = 0; k < samples; ++k) numbers.push_back(Rational(k, samples - 1) * last);
+  }
   if (by.kind() == ParameterKind::arc_length)
     return {RowPlaces(std::move(numbers), PathLength(path))};
   if (by.kind() == ParameterKind::t) {
@@ -180,7 +183,6 @@ AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& opt
   }
   std::vector<Place> at;
   std::vector<Real> values;
-  numbers.clear();
   for (const ParameterPoint& point : by.points(asked, samples)) {
     at.push_back(point.at);
     values.push_back(point.value);

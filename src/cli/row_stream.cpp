@@ -1,11 +1,14 @@
 #include "phrame/cli/row_stream.hpp"
 
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <map>
+#include <mutex>
+#include <thread>
 
+#include "phrame/algebra/flint.hpp"
+#include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/cli/command.hpp"
 
@@ -21,12 +24,41 @@ struct Block {
   std::string text;
 };
 
+std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+/// make(k) for k = 0 … n − 1, on all cores; what the first throws that does is thrown. (Not by TBB,
+/// which the Python package has no need of else.)
+template <class Make>
+void on_all_cores(std::size_t n, const Make& make) {
+  std::atomic<std::size_t> next{0};
+  std::mutex lock;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t k = next++; k < n; k = next++) make(k);
+    } catch (...) {
+      const std::lock_guard guard(lock);
+      if (!failure) failure = std::current_exception();
+      next = n;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < std::min(n, cores()); ++k)
+      others.emplace_back([&] {
+        prepare_thread();
+        work();
+        release_caches();
+      });
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
 /// All rows, several blocks at a time.
 class RowStream {
  public:
-  explicit RowStream(FrameRows& rows)
-      : rows_(rows),
-        blocks_(4 * static_cast<std::size_t>(oneapi::tbb::info::default_concurrency())) {}
+  explicit RowStream(FrameRows& rows) : rows_(rows), blocks_(4 * cores()) {}
 
   /// Finds that all are there.
   WrittenRows check();
@@ -51,8 +83,7 @@ void RowStream::make_blocks(std::size_t first, const Make& make) {
     const std::size_t from = std::min(first + b * block_rows, rows_.size());
     make(blocks_[b], from, std::min(block_rows, rows_.size() - from));
   };
-  if (first + block_rows < rows_.size())
-    return oneapi::tbb::parallel_for(std::size_t{0}, blocks_.size(), make_one);
+  if (first + block_rows < rows_.size()) return on_all_cores(blocks_.size(), make_one);
   for (std::size_t b = 0; b < blocks_.size(); ++b) make_one(b);  // of which one has rows
 }
 

@@ -11,6 +11,7 @@
 #include "phrame/answer/sweep.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/along/curvature.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/sweep_turn.hpp"

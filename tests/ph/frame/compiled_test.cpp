@@ -15,7 +15,6 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/compiled_frame_rotation.hpp"
 #include "phrame/ph/frame/compiled_rotation.hpp"
-#include "phrame/ph/frame/rounded_frames.hpp"
 #include "support/curves.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
