@@ -13,7 +13,7 @@ namespace {
 
 constexpr long deepest = 64;
 constexpr long most_close_pairs = 4000;
-constexpr std::size_t most_places = 16;
+constexpr long most_pairs_of_all = 100'000;
 
 using PlaneBall = std::array<RealBall, 2>;
 
@@ -40,9 +40,10 @@ class CloseSearch {
 
   /// All crossings of two parts; no value where they are not told.
   std::optional<std::vector<Crossing>> crossings(const CurvePart& a, const CurvePart& b) {
+    all_pairs_ += pairs_;
     pairs_ = 0;
     found_.clear();
-    if (!visit(arc(a), arc(b))) return std::nullopt;
+    if (all_pairs_ > most_pairs_of_all || !visit(arc(a), arc(b))) return std::nullopt;
     return std::move(found_);
   }
 
@@ -115,6 +116,7 @@ class CloseSearch {
   const CurveSeries& curve_;
   PlanePosition position_;
   long pairs_ = 0;
+  long all_pairs_ = 0;
   std::vector<Crossing> found_;
 };
 
@@ -185,7 +187,7 @@ std::pair<RealBall, RealBall> narrowed(const CurveSeries& curve, const Crossing&
 }
 
 void look_closer(const CurveSeries& curve, SelfIntersections& result) {
-  if (result.is_cut_off || result.undecided.size() > most_places) return;
+  if (result.is_cut_off) return;
   CloseSearch search(curve, plane_position(curve));
   std::erase_if(result.undecided, [&](const UndecidedCrossing& x) {
     if (are_joined(curve, x.first, x.second)) return false;

@@ -1,6 +1,7 @@
 #include "phrame/ph/curve/crossings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
@@ -23,7 +24,15 @@ constexpr double least_arc = 0x1p-30;
 constexpr long most_pairs = 4'000'000;
 constexpr double least_plane_arc = 0x1p-24;
 constexpr long most_plane_pairs = 400'000;  // and as many for ten segments each
-constexpr std::size_t most_undecided = 64;
+constexpr std::size_t most_undecided = 64;  // and eight for each segment
+
+/// Is the arc so short that the errors of doubles tell nothing more of it?
+bool is_tiny(const PlaneBox& box) {
+  constexpr double least = 0x1p-42;
+  return std::ranges::all_of(box, [](const DoubleInterval& x) {
+    return x.upper - x.lower < least * std::max(std::abs(x.lower), std::abs(x.upper));
+  });
+}
 
 class CrossingSearch {
  public:
@@ -72,6 +81,7 @@ class CrossingSearch {
         if (crossing) return add_crossing(a, b, *crossing);
         if (is_decided || is_known(a, b)) return true;
       }
+      if (is_plane_ && is_tiny(a.box) && is_tiny(b.box)) return add_undecided(a, b);
     }
     CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
     CurveTree& tree = &longer == &a ? first_ : second_;
@@ -101,6 +111,7 @@ class CrossingSearch {
   }
   bool is_known(const CurveNode& a, const CurveNode& b) const;
   bool leave_undecided(const CurveNode& a, const CurveNode& b);
+  bool add_undecided(const CurveNode& a, const CurveNode& b);
   bool is_left() { return ++pairs_ <= most_pairs_; }
   static double size_of(const CurveNode& node) {
     return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
@@ -153,8 +164,12 @@ bool CrossingSearch::leave_undecided(const CurveNode& a, const CurveNode& b) {
     second = *other;
     return true;
   }
+  return add_undecided(a, b);
+}
+
+bool CrossingSearch::add_undecided(const CurveNode& a, const CurveNode& b) {
   undecided_.push_back({part_of(a), part_of(b)});
-  return undecided_.size() < most_undecided;
+  return undecided_.size() < most_undecided + 8 * first_.root().last_segment;
 }
 
 SelfIntersections CrossingSearch::in_plane() {

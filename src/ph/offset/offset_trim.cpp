@@ -132,6 +132,34 @@ std::vector<RealAlgebraic> passages(const RationalCurve& curve, const Vector<Rat
   return found;
 }
 
+/// Where in a part of the curve it meets the line or the circle that another one is part of; no
+/// value where that is part of none, or this one, too.
+std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
+                                                   const CurvePart& part,
+                                                   const RationalCurve& other,
+                                                   const std::optional<Vector<Rational>>& center) {
+  if (!center && !is_line(other)) return std::nullopt;
+  const Vector<Rational> from = point(other, 0);
+  const auto across = [&](std::size_t k, const Vector<Rational>& origin) {
+    return curve.numerator()[k] - origin[k] * curve.weight();
+  };
+  Polynomial gap;
+  if (center) {
+    const Vector<Rational> radius = from - *center;
+    gap = across(0, *center) * across(0, *center) + across(1, *center) * across(1, *center) -
+          dot(radius, radius) * curve.weight() * curve.weight();
+  } else {
+    const Vector<Rational> way = point(other, 1) - from;
+    gap = way[0] * across(1, from) - way[1] * across(0, from);
+  }
+  if (gap.is_zero()) return std::nullopt;
+  std::vector<RealAlgebraic> found;
+  for (const RealRoot& root : real_roots(
+           gap, closed(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint())))
+    found.push_back(root.at);
+  return found;
+}
+
 /// Sets that are joined.
 class Classes {
  public:
@@ -299,9 +327,20 @@ class Trimmer {
     }
     for (const auto& [first, second] : found.undecided) {
       const std::size_t place = classes_.add();
-      add_fuzzy(first, place);
-      add_fuzzy(second, place);
+      add_touching(first, second, place);
+      add_touching(second, first, place);
     }
+  }
+
+  /// Where lines and circles are touched is decided by algebra.
+  void add_touching(const CurvePart& part, const CurvePart& other, std::size_t place) {
+    const auto& curves = stroke_.branches.curves;
+    if (part.segment >= own_) return;
+    const auto found =
+        meetings(curves[part.segment], part, curves[other.segment], stroke_.centers[other.segment]);
+    if (!found) return add_fuzzy(part, place);
+    for (const RealAlgebraic& t : *found)
+      add_event(part.segment, to_real(t), found->size() == 1 ? place : classes_.add());
   }
 
   /// The tree looks along z, from where x is the second axis and −y the first one.
