@@ -53,6 +53,27 @@ void offset_report(State& state) {
     benchmark::DoNotOptimize(answer(path, OffsetQuery{{distance()}}).offsets.data());
 }
 
+/// A hundred bows, upwards and downwards in turn, of which the offset is cut on one side.
+PhPath wave() {
+  const Curve there({{1}, {}, {}, {-1, 2}}, Polynomial{4});
+  PhPath path(there);
+  for (long k = 1; k < 100; ++k) {
+    const Vector<Rational> at = evaluate(position(path.segments().back()), 1);
+    path.append(k % 2 == 0 ? Curve(there.preimage(), there.multiplier(), at)
+                           : Curve({{1}, {}, {}, {1, -2}}, Polynomial{4}, at));
+  }
+  return path;
+}
+
+/// All branches of it, with cuts, lengths and areas.
+void offset_trimmed_100(State& state) {
+  const NamedPath path("", wave());
+  OffsetQuery query{{Rational(3)}};
+  query.trim = true;
+  for (auto _ : state) benchmark::DoNotOptimize(answer(path, query).trimmed.data());
+}
+
+BENCHMARK(offset_trimmed_100)->Unit(benchmark::kMillisecond);
 BENCHMARK(offset_quintic)->Unit(benchmark::kMicrosecond);
 BENCHMARK(offset_cusps)->Unit(benchmark::kMicrosecond);
 BENCHMARK(offset_self_intersections)->Unit(benchmark::kMillisecond);

@@ -97,6 +97,41 @@ TEST_CASE("offset: joins at corners") {
   CHECK(length("open") == "2");
 }
 
+TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands read") {
+  const Workshop here;
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  // Similar to it, with half the inradius.
+  const Run text = here.run("offset triangle.json --distance -1/2,-3 --trim");
+  check_success(text);
+  CHECK(contains(text.out, "from t = 3/8 to t = 7/8"));
+  CHECK(contains(text.out, "none: all of it is nearer"));
+  const Run json = here.run("offset triangle.json --distance -1/2 --trim --print json -o in.json");
+  check_success(json);
+  const Json part = Json::parse(json.out)["trimmed"][0];
+  REQUIRE(part["branches"].size() == 1);
+  CHECK(part["undecided"].empty());
+  CHECK(part["branches"][0]["closed"] == true);
+  CHECK(part["branches"][0]["length"]["exact"] == "6");
+  CHECK(part["branches"][0]["area"]["exact"] == "3/2");
+  CHECK(part["branches"][0]["parts"][0]["from"]["t"] == "3/8");
+  check_success(here.run("info in.json"));
+  here.write("turn.json", turn);
+  // The cusp at sqrt(sqrt 2 - 1), and what is behind it nearer.
+  const Run cusp = here.run("offset turn.json --distance -1 --trim --digits 15");
+  check_success(cusp);
+  CHECK(contains(cusp.out, "0.643594252905583"));
+  CHECK(contains(here.run("offset turn.json --distance -1 --trim --print latex").out, "stretch"));
+  check_failure(here.run("offset turn.json --distance 1 --trim --join mitre -o off.json"), 2,
+                "phrame: --trim: what is trimmed is joined by arcs or left open, not mitred\n");
+  here.write("back.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [1, -3],
+      "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
+  check_failure(here.run("offset back.json --distance 1 --trim -o off.json"), 3,
+                "phrame: trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3\n");
+  CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {
   const Workshop here;
   here.write("turn.json", turn);

@@ -123,6 +123,8 @@ def check_command_line(folder):
         curve.write_text(text)
         for join in ("round", "mitre", "open"):
             ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--print", "json")
+            if join != "mitre":
+                ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--trim", "--print", "json")
             if join != "open":
                 ask("offset", curve, "--distance", "1/2", "--join", join, "--print", "curve")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
