@@ -116,12 +116,8 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   CHECK(part["branches"][0]["length"]["exact"] == "6");
   CHECK(part["branches"][0]["area"]["exact"] == "3/2");
   CHECK(part["branches"][0]["parts"][0]["from"]["t"] == "3/8");
-  check_success(here.run("info in.json"));
+  CHECK(contains(here.run("info in.json").out, "closed"));
   here.write("turn.json", turn);
-  // The cusp at sqrt(sqrt 2 - 1), and what is behind it nearer.
-  const Run cusp = here.run("offset turn.json --distance -1 --trim --digits 15");
-  check_success(cusp);
-  CHECK(contains(cusp.out, "0.643594252905583"));
   CHECK(contains(here.run("offset turn.json --distance -1 --trim --print latex").out, "stretch"));
   check_failure(here.run("offset turn.json --distance 1 --trim --join mitre -o off.json"), 2,
                 "phrame: --trim: what is trimmed is joined by arcs or left open, not mitred\n");

@@ -123,7 +123,7 @@ def check_command_line(folder):
         curve.write_text(text)
         for join in ("round", "mitre", "open"):
             ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--print", "json")
-            if join != "mitre":
+            if join != "mitre" and name != "there":
                 ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--trim", "--print", "json")
             if join != "open":
                 ask("offset", curve, "--distance", "1/2", "--join", join, "--print", "curve")
