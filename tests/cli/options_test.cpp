@@ -269,6 +269,8 @@ TEST_CASE("options: each one, and each pair, is refused or changes the answer") 
         // Of a batch an option is for the lines whose question has it.
         if (command_of(call) == "batch" && contains(both, "--question")) continue;
         if (only_a.status > 1 || only_b.status > 1) continue;  // what is undefined stays so
+        if (a.text == "--join open" && b.option == "--digits")
+          continue;  // of lines, which are exact
         if (!may_be_equal(b.option)) CHECK_FALSE(are_equal(run, only_a));
         if (!may_be_equal(a.option)) CHECK_FALSE(are_equal(run, only_b));
       }
