@@ -102,7 +102,7 @@ void certificate(const Curve& curve) {
   //! [certificate]
   const Certificate certificate = certify(curve, Reference::euler_rodrigues, {1}, 30);
   const std::string file = write_certificate(certificate, "quintic");  // to be sent to somebody
-  std::cout << to_text(verify(read_certificate(file)));
+  std::cout << to_text(verify(read_certificate(file).certificate));
   //! [certificate]
   std::cout << "theta(1) = " << certificate.claims.front().theta << " ± "
             << certificate.claims.front().radius << '\n';

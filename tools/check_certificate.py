@@ -5,20 +5,25 @@ Everything is computed again from the curve. Identities of rational functions ar
 residues are in discs by inequalities between integers; logarithms and arctangents come from power series in
 integers with proved remainders; decisions rest on gcds, ranks and Descartes' rule of signs. There is no
 floating point, and every rounding is in the direction that makes an accepted inequality true. The letters are
-those of the page. Exit status: 0 all is proved, 1 something is not, 2 this is no certificate.
+those of the page. Exit status: 0 all is proved, 1 something is not, 2 this is no certificate, or one beyond
+the limits of the page.
 """
 import argparse
+import hashlib
 import json
 import re
 import sys
 from fractions import Fraction
 from functools import reduce
-from itertools import accumulate, combinations
+from itertools import accumulate, combinations, takewhile
 from math import gcd, isqrt
 from types import SimpleNamespace
 
-MAX_EXPONENT, MAX_BITS = 100000, 1000000
-PRIME = (1 << 127) - 1  # for a quick proof that polynomials are coprime
+MAX_EXPONENT, MAX_COUNT, MAX_LENGTH = 10000, 1000000, 100000  # of decimals, of counts, of the text of a number
+MAX_DEGREE, MAX_WORK, FULL_SIZE = 1001, 2000000000, 100000  # of the curve; as the page says; bytes
+MAX_ZEROS = 20000000000  # the work of counting zeros, about a nanosecond each ten
+PRIMES = [(1 << 127) - 1]  # for gcds; the next ones are found as they are needed
+TAKEN = SimpleNamespace(volume=0, zeros=0)  # of this file: what was read, and the work of counting zeros
 ROOT_BITS, FINE = 256, 64  # square roots keep 128 bits; distances get 64 bits more than the grid
 
 
@@ -87,7 +92,7 @@ class Poly:
             return Poly([x * b.numerator for x in self.c], self.d * b.denominator)
         c = [0] * (len(self.c) + len(b.c))
         for k, x in enumerate(self.c):
-            for i, y in enumerate(b.c, k):
+            for i, y in enumerate(b.c if x else (), k):
                 c[i] += x * y
         return Poly(c, self.d * b.d)
 
@@ -114,6 +119,17 @@ class Poly:
             value, power = value * t.numerator + x * power, power * t.denominator
         return Fraction(value * t.denominator, self.d * power)
 
+    def sign(self, t):
+        """-1, 0 or 1: the sign of self(t), without a fraction."""
+        value, power = 0, 1
+        for x in reversed(self.c):
+            value, power = value * t.numerator + x * power, power * t.denominator
+        return (value > 0) - (value < 0)
+
+    def bits(self):
+        """Of the longest of the coefficients and the denominator."""
+        return max(map(int.bit_length, self.c + [self.d]))
+
     def derivative(self):
         return Poly(derived(self.c), self.d)
 
@@ -133,15 +149,18 @@ class Poly:
     def zeros(self, low, high):
         """How many zeros a squarefree polynomial has in [low, high], inside by Descartes' rule: those
         of a(t) in (0, 1) are the positive ones of (1+s)^n a(1/(1+s)); with 0 or 1 sign changes their number
-        is just that. Else the interval is halved. For simple zeros this ends, by Vincent's theorem."""
+        is just that. Else the interval is halved. For simple zeros this ends, by Vincent's theorem, unless
+        they are so close to each other that it takes more than MAX_ZEROS."""
         if low >= high:
-            return int(low == high and self(low) == 0)
+            return int(low == high and self.sign(low) == 0)
         n, den = len(self.c) - 1, low.denominator * high.denominator
-        number = (self(low) == 0) + (self(high) == 0)
+        number = (self.sign(low) == 0) + (self.sign(high) == 0)
         a = translated([x * den ** (n - k) for k, x in enumerate(self.c)], int(low * den))
         todo = [[x * int((high - low) * den) ** k for k, x in enumerate(a)]]  # low is at 0 and high at 1
         while todo:
             a = todo.pop()
+            TAKEN.zeros += (n + 4) ** 2 * (max(map(int.bit_length, a)) + 1000)
+            require(TAKEN.zeros <= MAX_ZEROS, "zeros of a polynomial are too close to each other to be counted")
             changes = sign_changes(translated(a[::-1], 1))
             number += changes == 1
             if changes > 1:
@@ -168,15 +187,62 @@ def are_coprime_modulo(a, b, p):
     return len(a) == 1
 
 
+def primes():
+    """Odd numbers from 2^127 - 1 downwards, all but surely primes: nothing rests on that."""
+    yield from PRIMES
+    while True:
+        n = PRIMES[-1] - 2
+        while pow(3, n - 1, n) != 1:
+            n -= 2
+        PRIMES.append(n)
+        yield n
+
+
+def gcd_modulo(a, b, p):
+    """The monic gcd modulo the prime p; None where p turns out to be none."""
+    a, b = stripped([x % p for x in a]), stripped([x % p for x in b])
+    while b:
+        if gcd(b[-1], p) > 1:
+            return None
+        inverse = pow(b[-1], -1, p)
+        b = [x * inverse % p for x in b]
+        while len(a) >= len(b):
+            k, low = a[-1], len(a) - len(b)
+            a = stripped(a[:low] + [(x - k * y) % p for x, y in zip(a[low:-1], b)])
+        a, b = b, a
+    return a
+
+
+def common_of_two(a, b):
+    """The primitive gcd of primitive a, b != 0: from gcds modulo primes by the Chinese remainder theorem, as
+    soon as what comes out divides both. A gcd modulo p, which divides neither leading coefficient, has no lower
+    degree than the true one; so a common factor of that degree is it."""
+    lead, found, modulus, last = gcd(a.c[-1], b.c[-1]), [], 1, Poly([])
+    for p in primes():
+        g = gcd_modulo(a.c, b.c, p) if a.c[-1] % p and b.c[-1] % p else None
+        if g is None or found and len(g) > len(found):
+            continue
+        if len(g) == 1:
+            return Poly([1])
+        g = [x * lead % p for x in g]
+        if found and len(g) == len(found):
+            k = pow(modulus, -1, p)
+            found = [x + modulus * ((y - x) * k % p) for x, y in zip(found, g)]
+            modulus *= p
+        else:
+            found, modulus = g, p
+        candidate = Poly([x - modulus if 2 * x > modulus else x for x in found]).primitive()
+        if candidate == last and not divmod(a, candidate)[1] and not divmod(b, candidate)[1]:
+            return candidate
+        last = candidate
+
+
 def common(*polys):
-    """The primitive gcd, 0 if all are 0: 1 if it is so modulo PRIME, which is quick, else by Euclid."""
+    """The primitive gcd, 0 if all are 0."""
     a = Poly([])
     for b in polys:
         b = b.primitive()
-        if a and b and a.c[-1] % PRIME and b.c[-1] % PRIME and are_coprime_modulo(a.c, b.c, PRIME):
-            return Poly([1])
-        while b:
-            a, b = b, divmod(a, b)[1].primitive()
+        a = common_of_two(a, b) if a and b else a or b
     return a
 
 
@@ -210,7 +276,8 @@ def invariants_of(A):
 def root(n, up):
     """At most, or if up at least, the square root of n: n < (m + 1) 4^e and [sqrt m] + 1 >= sqrt(m + 1)."""
     e = max(0, n.bit_length() - ROOT_BITS) // 2
-    return (isqrt(n >> 2 * e) + (up and n > 0)) << e
+    m = isqrt(n >> 2 * e)
+    return (m + (up and m * m << 2 * e < n)) << e
 
 
 def at_grid_point(a, x, y, B):
@@ -329,50 +396,86 @@ def at_least(least, form):
     return expect(lambda x: x >= least, "a number not less than %d is wanted" % least, form)
 
 
-NUMBER = re.compile(r"(-?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)\Z")
+def bits_of(*numbers):
+    """Of numerators and denominators together."""
+    return sum(x.numerator.bit_length() + x.denominator.bit_length() for x in numbers)
+
+
+EXACT = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?\Z", re.ASCII)
+DECIMAL = re.compile(r"(-?[0-9]+)(?:\.([0-9]+))?(?:e(-?[0-9]+))?\Z", re.ASCII)
+
+
+def matched(pattern, what, value, place):
+    match = pattern.match(value) if isinstance(value, str) and len(value) <= MAX_LENGTH else None
+    return match or fail(place, what + " of at most %d characters is wanted, in quotes" % MAX_LENGTH, value)
 
 
 def rational(value, place):
-    """A fraction, an integer or a decimal number, exactly; an int if it is an integer."""
-    match = NUMBER.match(str(value)) if type(value) in (str, int) else None
-    if not match:
-        fail(place, "a number is wanted, an integer, a fraction or a decimal number", value)
-    head, below, digits, exponent = (x or "" for x in match.groups())
-    if len(exponent) > 20 or abs(int(exponent or 0)) > MAX_EXPONENT:
-        fail(place, "exponents are limited to %d" % MAX_EXPONENT, value)
+    """A fraction or an integer, exactly; an int if it is an integer."""
+    head, below = matched(EXACT, "an integer or a fraction", value, place).groups()
     if below and int(below) == 0:
         fail(place, "the denominator is 0", value)
-    x = Fraction(int(head + digits), int(below or 1)) * Fraction(10) ** (int(exponent or 0) - len(digits))
+    x = Fraction(int(head), int(below or 1))
+    TAKEN.volume += bits_of(x)
     return x if x.denominator > 1 else x.numerator
 
 
+def integer(value, place):
+    return fail(place, "an integer is wanted", value) if "/" in str(value) else rational(value, place)
+
+
 def decimal(value, place):
-    return fail(place, "a decimal number is wanted", value) if "/" in str(value) else rational(value, place)
+    head, digits, exponent = (x or "" for x in matched(DECIMAL, "a decimal number", value, place).groups())
+    if len(exponent) > 10 or abs(int(exponent or 0)) > MAX_EXPONENT:
+        fail(place, "exponents are limited to %d" % MAX_EXPONENT, value)
+    return Fraction(int(head + digits)) * Fraction(10) ** (int(exponent or 0) - len(digits))
 
 
-def poly(value, place):
-    c = read([rational], value, place)
+def bound(value, place):
+    x = decimal(value, place)
+    return fail(place, "a number without a sign is wanted", value) if value[0] == "-" else x
+
+
+def over_one_denominator(c):
     d = reduce(lambda d, x: d * x.denominator // gcd(d, x.denominator), c, 1)
     return Poly([x.numerator * (d // x.denominator) for x in c], d)
 
 
-def complex_poly(value, place):
-    parts = read({"re": poly, "im": poly}, value, place)
-    return parts.re, parts.im
+def poly(most, least=0):
+    """The form of a polynomial with at most, and at least, so many coefficients."""
+    def leaf(value, place):
+        if isinstance(value, list) and not least <= len(value) <= most:
+            fail(place, "%d to %d coefficients are wanted" % (least, most), value)
+        found = over_one_denominator(read([rational], value, place))
+        TAKEN.volume += len(found.c) * found.bits()
+        return found
+    return leaf
 
 
-def point(value, place):
-    """The only zero in (low, high) of w, made squarefree; a rational one is that of den t - num around it."""
-    is_object = isinstance(value, dict) and isinstance(value.get("t"), dict)
-    form = {"polynomial": poly, "interval": (rational, rational)} if is_object else rational
-    P = read({"t": form, "order": at_least(1, count)}, value, place)
-    t = P.t
-    w, (P.low, P.high) = ((t.polynomial, t.interval) if is_object else
-                          (Poly([-t.numerator, t.denominator]), (t - 1, t + 1)))
-    if w.is_constant() or P.low >= P.high:
-        fail(place + "/t", "a polynomial that is not constant and an interval a < b are wanted", value["t"])
-    P.w = w.over(common(w, w.derivative()))
-    return P
+def nonzero(form):
+    return expect(bool, "a polynomial that is not 0 is wanted", form)
+
+
+def complex_poly(most):
+    def leaf(value, place):
+        parts = read({"re": poly(most), "im": poly(most)}, value, place)
+        return parts.re, parts.im
+    return leaf
+
+
+def point(most):
+    """The only zero in (low, high) of w; a rational one is that of den t - num around it."""
+    def leaf(value, place):
+        is_object = isinstance(value, dict) and isinstance(value.get("t"), dict)
+        form = {"polynomial": poly(most), "interval": (rational, rational)} if is_object else rational
+        P = read({"t": form, "order": at_least(1, count)}, value, place)
+        t = P.t
+        P.w, (P.low, P.high) = ((t.polynomial, t.interval) if is_object else
+                                (Poly([-t.numerator, t.denominator]), (t - 1, t + 1)))
+        if P.w.is_constant() or P.low >= P.high:
+            fail(place + "/t", "a polynomial that is not constant and an interval a < b are wanted", value["t"])
+        return P
+    return leaf
 
 
 def decision(witnesses, always=False):
@@ -383,60 +486,171 @@ def decision(witnesses, always=False):
     return leaf
 
 
-string = expect(lambda x: isinstance(x, str), "a string is wanted")
+def is_text(value):
+    """Half of a surrogate pair is in no text."""
+    try:
+        return isinstance(value, str) and bool(value.encode("utf-8") or True)
+    except UnicodeEncodeError:
+        return False
+
+
+string = expect(is_text, "a string is wanted")
 boolean = expect(lambda x: isinstance(x, bool), "true or false is wanted")
 signs = expect(lambda x: isinstance(x, str) and set(x) <= set("+-0"),
                "signs are wanted, each of them +, - or 0")
-count = expect(lambda x: type(x) is int and abs(x) <= MAX_BITS,
-               "an integer is wanted, not above %d" % MAX_BITS)
-integer = expect(lambda x: isinstance(x, int), "an integer is wanted", rational)
+count = expect(lambda x: type(x) is int and abs(x) <= MAX_COUNT,
+               "an integer is wanted, without quotes and not above %d" % MAX_COUNT)
 VECTOR, COMPLEX, SIZE = (rational,) * 3, (integer, integer), at_least(0, integer)
-OPTIONAL = ("name", "note", "family", "start", "multiplier")  # all of them are keys of a curve
-CURVE = {"phrame": one_of("curve/1"), "name": string, "note": string, "family": string, "start": VECTOR,
-         "basis": one_of("power"), "preimage": {key: poly for key in "uvpq"}, "multiplier": poly}
+OPTIONAL = ("name", "note", "start", "multiplier")  # all of them are keys of a curve
 ROOT = {"center": COMPLEX, "radius": SIZE, "residue": COMPLEX, "residue_radius": SIZE}
-DECISIONS = {
-    "regular": decision({"cusps": [point]}, always=True),
-    "inflections": decision({"points": [point]}, always=True),
-    "line": decision({"direction": VECTOR}),
-    "planar": decision({"normal": VECTOR}),
-    "helical": decision({"axis": VECTOR, "cos_squared": rational}),
-    "double_ph": decision({"omega": poly, "constant": rational}),
-    "primitive": decision({"content": poly}, always=True),
-    "erf_is_rmf": decision({}),
-    "rrmf": decision({"w": complex_poly}),
-    "erf_monotone": decision({"zeros_of_h": [point], "extrema": [point]}, always=True)}
-CLAIM = {"t": rational, "theta": decimal, "radius": at_least(0, decimal)}
-TURN, BEND = {"index": count, "signs": (signs, signs)}, {"polynomial": complex_poly, "content": poly}
-CERTIFICATE = {
-    "phrame": one_of("certificate/1"), "curve": CURVE, "frame": one_of("erf", "frenet"),
-    "hodograph": (poly,) * 3, "sigma": poly, "h": poly, "g": complex_poly,
-    "rate": {"numerator": poly, "denominator": poly, "common": poly, "coprime_modulo": at_least(2, integer)},
-    "antiderivative": {"rational": {"numerator": poly, "denominator": poly},
-                       "logs": [{"index": poly, "residue": poly, "roots": [ROOT]}]},
-    "bits": at_least(0, count), "decisions": DECISIONS}
+CLAIM, TURN = {"t": rational, "theta": decimal, "radius": bound}, {"index": count, "signs": (signs, signs)}
 
 
-def refuse(text):
-    raise ValueError("%s is no number" % text)
+def form_of_curve(most):
+    return {"phrame": one_of("curve/1"), "name": string, "note": string, "start": VECTOR, "basis": one_of("power"),
+            "preimage": {key: poly(most, 1) for key in "uvpq"}, "multiplier": nonzero(poly(most, 1))}
 
 
-def read_certificate(data):
-    """All that is in the file. The Frenet frame has `bend` and the turns of the claims, the other has not."""
+def form_of_decisions(most):
+    points = [point(most)]
+    return {"regular": decision({"cusps": points}, always=True),
+            "inflections": decision({"points": points}, always=True),
+            "line": decision({"direction": VECTOR}),
+            "planar": decision({"normal": VECTOR}),
+            "helical": decision({"axis": VECTOR, "cos_squared": rational}),
+            "double_ph": decision({"omega": poly(most), "constant": rational}),
+            "primitive": decision({"content": poly(most)}, always=True),
+            "erf_is_rmf": decision({}),
+            "rrmf": decision({"w": complex_poly(most)}),
+            "erf_monotone": decision({"zeros_of_h": points, "extrema": points}, always=True)}
+
+
+def form_of_certificate(most, frenet):
+    """Polynomials have at most so many coefficients. The Frenet frame has `bend` and the turns of the claims."""
+    some, logs = poly(most), {"index": expect(lambda q: not q.is_constant(), "it is constant", poly(most)),
+                              "residue": poly(most), "roots": [ROOT]}
+    more = ({"claims": [{**CLAIM, "turn": TURN}], "bend": {"polynomial": complex_poly(most), "content": some}}
+            if frenet else {"claims": [CLAIM]})
+    return {"phrame": one_of("certificate/1"), "curve": lambda value, place: value, "frame": one_of("erf", "frenet"),
+            "hodograph": (some,) * 3, "sigma": some, "h": some, "g": complex_poly(most),
+            "rate": {"numerator": some, "denominator": some, "common": some,
+                     "coprime_modulo": at_least(2, integer)},
+            "antiderivative": {"rational": {"numerator": some, "denominator": nonzero(some)}, "logs": [logs]},
+            "bits": at_least(0, count), "decisions": form_of_decisions(most), **more}
+
+
+def work(C, D):
+    """What it takes to check the certificate, in the units of the page: a nanosecond or less."""
+    logs, claims, d, is_frenet = C.antiderivative.logs, C.claims, C.decisions, C.frame == "frenet"
+    a, n = max(p.bits() for p in C.A + [C.f]), sum(len(log.roots) for log in logs)
+    total = 50 * D ** 3 * (1 + a // 64) + TAKEN.volume ** 2 * (len(logs) + 1) // 63000
+    total += D ** 4 * a ** 2 // 6000 if is_frenet else 0
+    for log in logs:
+        k, b = len(log.index.c), max(log.index.bits(), log.residue.bits())
+        total += len(log.roots) * k ** 2 * (C.bits + b + 64) // 8 + k ** 3 * b ** 2 // 63000
+    for claim in claims:
+        k, t = bits_of(claim.radius), D * bits_of(claim.t)
+        total += (n + 8) * k ** 2 + bits_of(claim.theta) ** 2 // 1000 + t ** 2 * (10 + (D if is_frenet else 0)) // 1000
+    for points in (d.regular.cusps, d.inflections.points, d.erf_monotone.zeros_of_h, d.erf_monotone.extrema):
+        total += sum(len(P.w.c) ** 3 * bits_of(P.low, P.high) ** 2 // 2000 for P in points)
+        total += sum(200 * len(P.w.c) * len(Q.w.c) for P, Q in combinations(points, 2)
+                     if max(P.low, Q.low) < min(P.high, Q.high))
+    return total
+
+
+def parsed(data):
+    """The value of a JSON text, objects as Object. A long integer is none that is wanted anywhere."""
+    def refuse(text):
+        raise ValueError("%s is no number" % text)
     try:
-        value = json.loads(data.decode("utf-8"), object_pairs_hook=Object, parse_float=str,
-                           parse_constant=refuse)
-        frenet = isinstance(value, dict) and value.get("frame") == "frenet"
-        more = {"claims": [{**CLAIM, "turn": TURN}], "bend": BEND} if frenet else {"claims": [CLAIM]}
-        C = read({**CERTIFICATE, **more}, value, "")
+        return json.loads(data.decode("utf-8-sig"), object_pairs_hook=Object, parse_constant=refuse,
+                          parse_int=lambda text: int(text) if len(text) < 20 else float("inf"))
     except (ValueError, RecursionError) as error:
         raise Malformed("/: this is no JSON: %s" % str(error)[:200].replace("\n", " "))
-    C.f, C.A = getattr(C.curve, "multiplier", Poly([1])), [getattr(C.curve.preimage, key) for key in "uvpq"]
-    if not C.f or not any(C.A):
-        fail("/curve", "a curve with a preimage and a multiplier that are not 0 is wanted", value["curve"])
+
+
+def read_certificate(data, limits):
+    """All that is in the file."""
+    TAKEN.volume = TAKEN.zeros = 0
+    value = parsed(data)
+    curve = value.get("curve") if isinstance(value, dict) else None
+    frenet = isinstance(value, dict) and value.get("frame") == "frenet"
+    K = read(form_of_curve(limits.max_degree + 1), curve, "/curve") if curve is not None else None
+    m, f = (max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1) if K else (0, 0)
+    D = 4 * m + 2 * f + 2
+    C = read(form_of_certificate(D + 1, frenet), value, "")
+    C.curve, C.f, C.A = K, getattr(K, "multiplier", Poly([1])), [getattr(K.preimage, key) for key in "uvpq"]
+    if not any(C.A):
+        fail("/curve", "a preimage that is not 0 is wanted", curve)
+    degree = 2 * max(len(a.c) for a in C.A) + len(C.f.c) - 2
+    if degree > limits.max_degree:
+        fail("/curve", "the degree is %d, beyond the limit %d (--max-degree)" % (degree, limits.max_degree), curve)
+    total, most = work(C, D), MAX_WORK * max(len(data), FULL_SIZE) ** 2 // FULL_SIZE ** 2
+    if total > most and not limits.unlimited:
+        raise Malformed("/: to check it is work of %d, beyond the limit %d (--unlimited)" % (total, most))
     for claim, written in zip(C.claims, value["claims"]):
         claim.text = "|theta(%(t)s) - %(theta)s| <= %(radius)s" % written
     return C
+
+
+# The curve: its exact form is a text, whose hash names it.
+
+def hodograph_of(f, A):
+    """f A i A*"""
+    u, v, p, q = A
+    return [f * a for a in (u * u + v * v - p * p - q * q, (u * q + v * p) * 2, (v * q - u * p) * 2)]
+
+
+def exact_form(hodograph, start):
+    """The canonical text of a curve: r' and r(0) as the page says."""
+    lists = [[Fraction(x, a.d) for x in a.c] for a in hodograph] + [start]
+    return "".join(" ".join([name] + [str(x) for x in numbers]) + "\n"
+                   for name, numbers in zip(("dx", "dy", "dz", "start"), lists))
+
+
+def hash_of(hodograph, start):
+    return hashlib.sha256(exact_form(hodograph, start).encode("ascii")).hexdigest()
+
+
+def from_bernstein(c):
+    """sum c[k] B(k, n)(t), from the differences at 0: the coefficient of t^k is binomial(n, k) times the k-th."""
+    n, binomial, out = len(c) - 1, 1, []
+    for k in range(n + 1):
+        out.append(Fraction(c[0]) * binomial)
+        c, binomial = [b - a for a, b in zip(c, c[1:])], binomial * (n - k) // (k + 1)
+    return over_one_denominator(out)
+
+
+def read_curve(name, limits):
+    """(r', r(0), A or None) of a curve/1 with a preimage or with control points; numbers as these files have
+    them, but for hexadecimal ones."""
+    value = parsed(read_file(name))
+
+    def number(x, place):
+        text = str(x) if type(x) in (str, int, float) else ""
+        if not re.match(r"[-+]?[0-9.]+(/[0-9]+|[eE][-+]?[0-9]{1,4})?\Z", text, re.ASCII):
+            fail(place, "a number is wanted", x)
+        return Fraction(text)
+
+    def numbers(x, place):
+        c = read([number], x, place)
+        return c if 0 < len(c) <= limits.max_degree + 1 else fail(place, "too many coefficients, or none", x)
+    if not isinstance(value, dict) or not ("preimage" in value or "control_points" in value) or "weights" in value:
+        fail("", "a curve/1 with a preimage or control points is wanted (phrame identify --print curve)", value)
+    if "control_points" in value:
+        points = read([(number,) * 3], value["control_points"], "/control_points")
+        n = len(points) - 1
+        if not 0 < n <= limits.max_degree:
+            fail("/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), n + 1)
+        return [from_bernstein([(b - a) * n for a, b in zip(c, c[1:])]) for c in zip(*points)], points[0], None
+    basis = one_of("power", "bernstein")(value.get("basis"), "/basis")
+    preimage = read({key: numbers for key in "uvpq"}, value["preimage"], "/preimage")
+    lists = [getattr(preimage, key) for key in "uvpq"] + [numbers(value.get("multiplier", [1]), "/multiplier")]
+    *A, f = [from_bernstein(c) if basis == "bernstein" else over_one_denominator(c) for c in lists]
+    if next((x for x in f.c if x), 0) < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
+        u, v, p, q = A
+        A, f = [p * -1, q * -1, u, v], f * -1
+    return hodograph_of(f, A), read((number,) * 3, value.get("start", [0, 0, 0]), "/start"), A
 
 
 # The proof.
@@ -450,11 +664,12 @@ def check_points(P, points, name, odd_only=False):
     while not levels[-1].is_constant():
         levels.append(common(levels[-1], levels[-1].derivative()))
     for point in points:
-        w, low, high = point.w, point.low, point.high
-        require(w(low) and w(high) and w.zeros(low, high) == 1,
+        low, high = point.low, point.high
+        w = point.w = point.w.over(common(point.w, point.w.derivative()))
+        require(w.sign(low) and w.sign(high) and w.zeros(low, high) == 1,
                 "%s: an interval does not hold exactly one zero of its polynomial" % name)
         require(w.zeros(max(low, 0), min(high, 1)) == 1, "%s: a point is not in [0, 1]" % name)
-        order = sum(common(w, level).zeros(low, high) for level in levels)
+        order = len(list(takewhile(lambda level: common(w, level).zeros(low, high), levels)))
         require(order == point.order, "%s: a point is no zero of order %d" % (name, point.order))
         require(order % 2 or not odd_only, "%s: a point of even order is listed" % name)
     for a, b in combinations(points, 2):
@@ -481,19 +696,20 @@ class Proof:
 
     def __init__(self, C):
         self.C, self.lines, self.proved, self.fixed, self.sturm = C, [], set(), {}, {}
-        self.frenet, self.B, self.f, (u, v, p, q) = C.frame == "frenet", C.bits, C.f, C.A
+        self.frenet, self.B, self.f = C.frame == "frenet", C.bits, C.f
         self.sigma, self.h, self.g = invariants_of(C.A)
-        self.xyz = [u * u + v * v - p * p - q * q, (u * q + v * p) * 2, (v * q - u * p) * 2]  # A i A*
-        self.hodograph = [self.f * a for a in self.xyz]
+        self.xyz, self.hodograph = hodograph_of(Poly([1]), C.A), hodograph_of(C.f, C.A)
         self.K0 = common(*C.A)
         self.sigma0, self.h0, self.g0 = invariants_of([a.over(self.K0) for a in C.A])
         self.N, self.D = C.rate.numerator, C.rate.denominator
-        self.P, self.Q = C.antiderivative.rational.numerator, C.antiderivative.rational.denominator
+        R = C.antiderivative.rational
+        K = common(R.numerator, R.denominator)
+        self.P, self.Q = R.numerator.over(K), R.denominator.over(K)
         self.dP = self.P.derivative() * self.Q - self.P * self.Q.derivative()  # R' = dP/Q^2
         self.logs = C.antiderivative.logs
         for log in self.logs:
             log.q, log.c = log.index, log.residue
-            log.n = divmod(log.c * log.q.derivative(), log.q)[1] if log.q else log.q  # n = c q' mod q
+            log.n = divmod(log.c * log.q.derivative(), log.q)[1]  # n = c q' mod q
             for z in log.roots:
                 (z.x, z.y), (z.re, z.im), z.r, z.s = z.center, z.residue, z.radius, z.residue_radius
 
@@ -527,9 +743,19 @@ class Proof:
             self.state("bend", self.bend)
         for claim in self.C.claims:
             self.state(claim.text, self.claim, ["bend"] if self.frenet else [], claim)
-        for name in DECISIONS:
-            self.state("decision " + name, getattr(self, name), (), getattr(self.C.decisions, name))
+        for name, decision in vars(self.C.decisions).items():
+            answer = "yes" if decision.answer else "no"
+            self.state("decision %s: %s" % (name, answer), getattr(self, name), (), decision)
         return self.lines
+
+    def is_of(self, hodograph, start, A):
+        """The curve is that of a file. The Euler-Rodrigues frames are the same but for a constant turn if h/sigma is."""
+        own = getattr(self.C.curve, "start", [0, 0, 0])
+        require(hodograph == self.hodograph and start == own,
+                "that one has sha256 %s" % hash_of(hodograph, start))
+        if A and not self.frenet:
+            sigma, h, _ = invariants_of(A)
+            require(h * self.sigma == self.h * sigma, "its preimage, and so its Euler-Rodrigues frame, is another one")
 
     def invariants(self):
         """What is written is what follows from the curve. All else uses what is computed."""
@@ -549,7 +775,8 @@ class Proof:
 
     def antiderivative(self):
         """R' + sum n/q = N/D."""
-        require(self.Q and all(log.q for log in self.logs), "a denominator is 0")
+        most = max(len(a.c) for a in self.C.A)
+        require(all(len(log.q.c) < 2 * most for log in self.logs), "an index has a higher degree than |A|^2")
         num, den = self.dP, self.Q * self.Q
         for log in self.logs:
             num, den = num * log.q + log.n * den, den * log.q
@@ -598,11 +825,11 @@ class Proof:
         of k arctan(slope), for the slopes y/x at t and 0, and for pi; those that are 0 are left out."""
         re, im = self.C.bend.polynomial
         x, y = re * re(0) + im * im(0), im * re(0) - re * im(0)
-        turned = x(t) == 0
+        turned = x.sign(t) == 0
         x, y = (x - y, x + y) if turned else (x, y)
         if turned not in self.sturm:
             self.sturm[turned] = sturm_sequence(x, y)
-        values = [[s(at) for s in self.sturm[turned]] for at in (0, t)]
+        values = [[s.sign(at) for s in self.sturm[turned]] for at in (0, t)]
         signs_found = ["".join("+" if v > 0 else "-" if v < 0 else "0" for v in row) for row in values]
         require(signs_found == turn.signs, "the signs at 0 and t are %s and %s" % tuple(signs_found))
         index = sign_changes(values[0]) - sign_changes(values[1])
@@ -701,7 +928,7 @@ class Proof:
             is_square = norm(self.g) * 4 == decision.omega * decision.omega * decision.constant
             return require(is_square, "4|g|^2 is not constant omega^2")
         a = norm(self.g).primitive()
-        values = (int(a(k)) * a.c[-1] for k in range(1000 if a else 0))
+        values = (int(a(k)) * a.c[-1] for k in range(100 if a else 0))
         require(any(x < 0 or isqrt(x) ** 2 != x for x in values), "4|g|^2 seems a constant times a square")
 
     def primitive(self, decision):
@@ -748,19 +975,35 @@ class Proof:
         check_points(P.over(common(e, e.derivative())), decision.extrema, "extrema", odd_only=True)
 
 
-def check(name, show_name, quiet):
-    """Checks one file and prints what is proved; returns the exit status."""
+def read_file(name):
     try:
         with open(0 if name == "-" else name, "rb", closefd=name != "-") as file:
-            lines = Proof(read_certificate(file.read())).run()
-    except (OSError, Malformed) as error:
-        problem = " " + error.strerror if isinstance(error, OSError) else error
-        print("check_certificate.py: %s:%s" % (name, problem), file=sys.stderr)
+            return file.read()
+    except OSError as error:
+        raise Malformed(" " + error.strerror)
+
+
+def check(name, options):
+    """Checks one file and prints what is proved; returns the exit status."""
+    at = name
+    try:
+        proof = Proof(read_certificate(read_file(name), options))
+        if options.curve:
+            at = options.curve
+            proof.state("curve of " + at, proof.is_of, (), *read_curve(at, options))
+    except Malformed as error:
+        print("check_certificate.py: %s:%s" % (at, error), file=sys.stderr)
         return 2
-    if show_name:
+    lines = proof.run()
+    if len(options.files) > 1:
         print("%s:" % name)
+    if not options.quiet:
+        curve = proof.C.curve
+        print("curve       %s" % (getattr(curve, "name", "") or "without a name"))
+        print("sha256      %s" % hash_of(proof.hodograph, getattr(curve, "start", [0, 0, 0])))
+        print("frame       %s" % proof.C.frame)
     for is_proved, line in lines:
-        if not (quiet and is_proved):
+        if not (options.quiet and is_proved):
             print(line)
     failures, number = sum(not is_proved for is_proved, _ in lines), len(lines)
     print("%d of %d statements %s not proved" % (failures, number, "is" if failures == 1 else "are") if failures
@@ -773,11 +1016,15 @@ def main():
         sys.set_int_max_str_digits(0)
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
+    parser.add_argument("--curve", metavar="FILE", help="the curve it must be of: a curve/1 with a preimage or control points")
     parser.add_argument("-q", "--quiet", action="store_true",
                         help="print only what is not proved, and the last line")
+    parser.add_argument("--max-degree", type=int, default=MAX_DEGREE, metavar="N",
+                        help="of the curve, else the file is refused (default %d)" % MAX_DEGREE)
+    parser.add_argument("--unlimited", action="store_true", help="check it even if that takes longer than the page promises")
     options = parser.parse_args()
     sys.stdout.reconfigure(errors="backslashreplace")
-    sys.exit(max(check(name, len(options.files) > 1, options.quiet) for name in options.files))
+    sys.exit(max(check(name, options) for name in options.files))
 
 
 if __name__ == "__main__":

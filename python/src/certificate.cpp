@@ -36,8 +36,8 @@ void bind_certificate(nb::module_& m, PathClass& path) {
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {
-    Certificate read = read_certificate(text);
-    return C{std::move(read), ""};
+    NamedCertificate read = read_certificate(text);
+    return C{std::move(read.certificate), std::move(read.name)};
   };
   type.def_static("from_json", from_json, argument("text"),
                   nb::sig("def from_json(text: str) -> Certificate"),
@@ -108,7 +108,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
           },
           PHRAME_REDUCE_SIG);
   m.def("_certificate", [](const std::string& text, const std::string& name) {
-    return CertificateObject{read_certificate(text), name};
+    return CertificateObject{read_certificate(text, {.is_limited = false}).certificate, name};
   });
   bind_python(type, "_repr_html_", "phrame._show", "certificate_html",
               "def _repr_html_(self) -> str");

@@ -1,28 +1,61 @@
 #include "phrame/ph/proof/verify.hpp"
-#include "phrame/io/write/answers.hpp"
-#include "phrame/ph/proof/statement.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/exact_form.hpp"
+#include "phrame/io/write/names.hpp"
+#include "phrame/io/write/sha256.hpp"
+#include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::cli {
 namespace {
 
 struct VerifyOptions {
   std::string path;
+  std::optional<std::string> curve;
   std::string output = "-";
-  CurveLimits limits;
+  CertificateLimits limits;
+  bool is_unlimited = false;
   TextLength length;
 };
 
-void run(const VerifyOptions& options) {
+/// That the certificate is of the curve in a file. Euler–Rodrigues frames are the same but for a
+/// constant turn where h/σ is.
+Statement check_curve(const Certificate& c, const std::string& path, const CurveLimits& limits) {
+  CurveOptions file;
+  file.path = path;
+  file.limits = limits;
+  const Curve other = file.read_curve().curve;
+  std::string objection;
+  if (exact_form(other) != exact_form(c.curve))
+    objection = "that one has sha256 " + sha256(exact_form(other));
+  else if (c.reference == Reference::euler_rodrigues &&
+           !(rate_to_erf(other.preimage()) == rate_to_erf(c.curve.preimage())))
+    objection = "its preimage, and so its Euler-Rodrigues frame, is another one";
+  return {"curve of " + path, objection};
+}
+
+void run(VerifyOptions& options) {
+  options.limits.is_limited = !options.is_unlimited;
   const std::string text = read_file(options.path);
-  const Certificate certificate = at_place(name_of_file(options.path), ":",
-                                           [&] { return read_certificate(text, options.limits); });
-  const std::vector<Statement> statements = verify(certificate);
-  options.length.write(options.output, to_text(statements));
+  const auto [name, certificate] = at_place(name_of_file(options.path), ":",
+                                            [&] { return read_certificate(text, options.limits); });
+  std::vector<Statement> statements;
+  if (options.curve)
+    statements.push_back(check_curve(certificate, *options.curve, options.limits.curve));
+  for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
+  options.length.write(
+      options.output,
+      fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
+                  name.empty() ? "without a name" : name, sha256(exact_form(certificate.curve)),
+                  name_of(certificate.reference)) +
+          to_text(statements));
   if (!std::all_of(statements.begin(), statements.end(),
                    [](const Statement& statement) { return statement.is_proved(); }))
     throw AnswerNo{};
@@ -34,15 +67,19 @@ void add_verify(Program& program) {
   Command& command = program.add("verify", "check a certificate");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
+  command.add_option("--curve", "FILE", options->curve, "the curve that it must be of");
   command.add_output(options->output);
   command.writes("text", {"txt"});
-  add_max_degree(command, options->limits);
+  add_max_degree(command, options->limits.curve);
+  command.add_flag("--unlimited", options->is_unlimited,
+                   "check it even if that may take longer than docs/certificate.md promises");
   command.add_flag("--full", options->length.is_full, "abridge nothing: a long t");
   command.set_notes(
       "Starts from the curve in the certificate and proves every statement by another way than it\n"
       "was found. Exit status 0: all are proved, 1: not all.\n"
       "Examples:\n"
-      "  phrame verify angle.cert");
+      "  phrame verify angle.cert\n"
+      "  phrame verify angle.cert --curve curve.json");
   command.does([options] { run(*options); });
 }
 

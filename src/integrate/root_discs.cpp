@@ -122,6 +122,58 @@ bool are_disjoint(const std::vector<RootDisc>& discs) {
   return true;
 }
 
+/// What integers prove of discs.
+struct DiscLaw {
+  DiscLaw(const Polynomial& q, const Polynomial& n, long precision)
+      : degree(q.degree()),
+        bits(precision),
+        unit(power_of_two(-bits)),
+        q_at(q, bits),
+        slope_at(differentiate(q), bits),
+        n_at(n, bits),
+        n_variation(with_absolute_values(differentiate(n))),
+        slope_variation(with_absolute_values(differentiate(differentiate(q)))) {}
+
+  /// d²·|q/q′|² at a point of the grid; no value where q′ is 0.
+  std::optional<Rational> squared_distance(const GaussianInteger& z) const {
+    const Rational slope = norm(slope_at(z));
+    if (slope == 0) return std::nullopt;
+    return norm(q_at(z)) / slope * (degree * degree);
+  }
+
+  /// n/q′ at a point where q′ is not 0.
+  GaussianRational quotient(const GaussianInteger& z) const {
+    const GaussianRational slope = slope_at(z);
+    return 1 / norm(slope) * (n_at(z) * conjugate(slope));
+  }
+
+  /// |c − w| ≤ miss/keep where keep > 0, in the letters at the top.
+  struct Bound {
+    Rational miss;
+    Rational keep;
+  };
+  Bound residue_bound(const RootDisc& disc) const {
+    const GaussianRational z{disc.center.re * unit, disc.center.im * unit};
+    const GaussianRational w{disc.residue.re * unit, disc.residue.im * unit};
+    const Rational r = disc.radius * unit;
+    const Rational rho = rounded_up(size_above(z) + r);
+    const Rational flatness = sqrt_above(1 / norm(slope_at(disc.center)));  // 1/|q′|
+    const Rational curving = slope_variation(rho);
+    return {size_above(quotient(disc.center) - w) +
+                r * flatness * (n_variation(rho) + size_above(w) * curving),
+            1 - r * curving * flatness};
+  }
+
+  long degree;
+  long bits;
+  Rational unit;
+  GridValue q_at;
+  GridValue slope_at;
+  GridValue n_at;
+  Polynomial n_variation;
+  Polynomial slope_variation;
+};
+
 }  // namespace
 
 bool are_apart(const RootDisc& a, const RootDisc& b) {
@@ -129,39 +181,37 @@ bool are_apart(const RootDisc& a, const RootDisc& b) {
   return norm(GaussianInteger{a.center.re - b.center.re, a.center.im - b.center.im}) > sum * sum;
 }
 
+std::optional<Integer> radius_of_root(const Polynomial& q, const GaussianInteger& center,
+                                      long bits) {
+  const auto distance = DiscLaw(q, {}, bits).squared_distance(center);
+  if (!distance) return std::nullopt;
+  return ceil_sqrt(*distance * power_of_two(2 * bits));
+}
+
+bool holds_residue(const Polynomial& q, const Polynomial& n, const RootDisc& disc, long bits) {
+  const DiscLaw law(q, n, bits);
+  if (!law.squared_distance(disc.center)) return false;
+  const auto [miss, keep] = law.residue_bound(disc);
+  return miss <= disc.residue_radius * law.unit * keep;
+}
+
 std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,
                                                 long bits) {
-  const Polynomial slope = differentiate(q);
-  const GridValue q_at(q, bits);
-  const GridValue slope_at(slope, bits);
-  const GridValue n_at(n, bits);
-  const Polynomial n_variation = with_absolute_values(differentiate(n));
-  const Polynomial slope_variation = with_absolute_values(differentiate(slope));
-  const Rational unit = power_of_two(-bits);
+  const DiscLaw law(q, n, bits);
   std::vector<RootDisc> discs;
   for (const GaussianInteger& center : roots_on_grid(q, bits)) {
-    const GaussianRational value = q_at(center);
-    const GaussianRational s = slope_at(center);
-    const Rational s_norm = norm(s);
-    if (s_norm == 0) return std::nullopt;
-    const Rational step = norm(value) / s_norm;  // |q/q′|²
-    const Integer radius = ceil_sqrt(step * (q.degree() * q.degree()) * power_of_two(2 * bits));
-
-    const GaussianRational c = 1 / s_norm * (n_at(center) * conjugate(s));
-    const GaussianInteger residue{nearest(c.re, bits), nearest(c.im, bits)};
-    const GaussianRational w{residue.re * unit, residue.im * unit};
-    const Rational r = radius * unit;
-    const Rational rho = rounded_up(size_above({center.re * unit, center.im * unit}) + r);
-    const Rational flatness = sqrt_above(1 / s_norm);  // 1/|q′|
-    const Rational curving = r * slope_variation(rho) * flatness;
-    if (curving >= 1) return std::nullopt;
-    const Rational off =
-        (size_above(c - w) +
-         r * flatness * (n_variation(rho) + size_above(w) * slope_variation(rho))) /
-        (1 - curving);
+    const auto distance = law.squared_distance(center);
+    if (!distance) return std::nullopt;
+    const GaussianRational c = law.quotient(center);
+    RootDisc disc{center,
+                  ceil_sqrt(*distance * power_of_two(2 * bits)),
+                  {nearest(c.re, bits), nearest(c.im, bits)},
+                  0};
+    const auto [miss, keep] = law.residue_bound(disc);
+    if (keep <= 0) return std::nullopt;
     // One more, for a checker that rounds more coarsely.
-    const Integer residue_radius = off == 0 ? Integer(0) : Integer(floor(off / unit) + 2);
-    discs.push_back({center, radius, residue, residue_radius});
+    if (miss != 0) disc.residue_radius = floor(miss / keep / law.unit) + 2;
+    discs.push_back(disc);
   }
   if (!are_disjoint(discs)) return std::nullopt;
   return discs;

@@ -87,7 +87,7 @@ def check_words(path):
     changed = Path(path).with_suffix(".changed")
     changed.write_text(json.dumps(certificate))
     run = subprocess.run([sys.executable, "-B", str(CHECKER), str(changed)], capture_output=True, text=True)
-    number = len(run.stdout.splitlines()) - 1
+    number = len(run.stdout.splitlines()) - 4  # less the curve, its hash, the frame and the last line
     if run.returncode != 1 or run.stdout.splitlines()[-1] != "1 of %d statements is not proved" % number:
         sys.exit(run.stdout + run.stderr)
 

@@ -9,6 +9,10 @@ TEST_CASE("certify and verify: a certificate is proved, a changed one is not") {
   const Run proved = here.run("verify angle.cert");
   check_success(proved);
   CHECK(contains(proved.out, "proved      |theta(1) - 0.28585653009834106200165626280309220136"));
+  // sha256sum of the exact form, which is in docs/certificate.md.
+  CHECK(proved.out.starts_with("curve       quintic\nsha256      7985d7fd344538aee7e37f39529e1a938ad4fd6bef3774f7c79276f22822139f\nframe       erf\nproved"));
+  CHECK(contains(proved.out, "\nproved      decision regular: yes\n"));
+  CHECK(contains(proved.out, "\nproved      decision line: no\n"));
   CHECK(proved.out.ends_with("all 17 statements are proved\n"));
   std::string text = bytes_of(here.file("angle.cert"));
   text.replace(text.find("0.2858565300"), 12, "0.2858565301");
@@ -52,6 +56,25 @@ TEST_CASE("verify: a long t is abridged, unless --full is given") {
   check_success(full);
   CHECK(contains(full.out, "proved      |theta(" + t + ") - "));
   CHECK(full.out.ends_with(" statements are proved\n"));
+}
+
+TEST_CASE("verify: with --curve it must be of that curve, whatever it is called") {
+  const Workshop here;
+  CHECK(here.run("certify quintic.json -o angle.cert").status == 0);
+  const Run same = here.run("verify angle.cert --curve quintic.json");
+  check_success(same);
+  CHECK(contains(same.out, "proved      curve of "));
+  CHECK(same.out.ends_with("all 17 statements are proved\n"));
+  const Run other = here.run("verify angle.cert --curve line.json");
+  CHECK(other.status == 1);
+  CHECK(contains(other.out, "not proved  curve of "));
+  CHECK(contains(other.out, ": that one has sha256 "));
+  CHECK(other.out.ends_with("1 of 17 statements is not proved\n"));
+  Json curve = Json::parse(here.run("certify quintic.json").out)["curve"];
+  curve["start"] = {"0", "0", "1"};
+  here.write("moved.json", curve.dump());
+  CHECK(here.run("verify angle.cert --curve moved.json").status == 1);
+  check_failure(here.run("verify angle.cert --curve nowhere.json"), 2, "nowhere.json");
 }
 
 TEST_CASE("certify and verify: bad input is refused with its place") {

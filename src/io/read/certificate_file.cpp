@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/json_node.hpp"
@@ -12,24 +15,46 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-constexpr long max_bits = 1'000'000;
+// As the page says.
+constexpr long most_count = 1'000'000;
+constexpr long greatest_exponent = 10'000;
+constexpr long most_work = 2'000'000'000;
+constexpr std::size_t full_size = 100'000;
 
-Integer read_integer(const JsonNode& node) {
-  const Rational x = node.number();
-  if (denominator(x) != 1) node.fail(as_written(x) + " is not an integer");
-  return Integer(numerator(x));
+bool take_one(std::string_view& text, char c) {
+  if (text.empty() || text.front() != c) return false;
+  text.remove_prefix(1);
+  return true;
 }
 
-Integer read_integer(const JsonNode& node, const Integer& least) {
-  Integer n = read_integer(node);
-  if (n < least) node.fail(fmt::format("{} is less than {}", abbreviated(n.str()), least.str()));
-  return n;
+bool take_digits(std::string_view& text) {
+  const std::size_t length = std::min(text.find_first_not_of("0123456789"), text.size());
+  text.remove_prefix(length);
+  return length > 0;
+}
+
+/// -?d+(/d+)?
+bool is_exact(std::string_view text) {
+  take_one(text, '-');
+  return take_digits(text) && (!take_one(text, '/') || take_digits(text)) && text.empty();
+}
+
+/// -?d+(.d+)?(e-?d+)?; the exponent is left in `text`.
+bool is_decimal(std::string_view& text) {
+  take_one(text, '-');
+  if (!take_digits(text) || (take_one(text, '.') && !take_digits(text))) return false;
+  if (!take_one(text, 'e')) return text.empty();
+  std::string_view rest = text;
+  take_one(rest, '-');
+  return take_digits(rest) && rest.empty();
 }
 
 /// A JSON number, an integer in a range of machine words.
 long read_count(const JsonNode& node, long least, long largest) {
-  node.require(Kind::number, "a number");
-  const Integer n = read_integer(node);
+  node.require(Kind::number, "an integer without quotes");
+  if (node.text().find_first_not_of("-0123456789") != std::string::npos)
+    node.fail(abbreviated(node.text()) + " is not an integer");
+  const Integer n(numerator(node.number()));
   if (n < least || n > largest)
     node.fail(fmt::format("{} is not in {} … {}", abbreviated(n.str()), least, largest));
   return static_cast<long>(n);
@@ -44,61 +69,17 @@ auto read_list(const JsonNode& node, Read read) {
   return list;
 }
 
-Polynomial read_polynomial(const JsonNode& node) {
-  node.require(Kind::array, "an array of coefficients");
-  return Polynomial(node.numbers());
-}
-
-GaussianPolynomial read_gaussian_polynomial(const JsonNode& node) {
-  node.require_known_keys({"re", "im"});
-  return {read_polynomial(node.at("re")), read_polynomial(node.at("im"))};
-}
-
-Vector<Rational> read_vector(const JsonNode& node) {
-  const auto list = node.numbers(3);
-  return {list[0], list[1], list[2]};
-}
-
-GaussianInteger read_grid_point(const JsonNode& node) {
-  const auto parts = read_list(node, [](const JsonNode& part) { return read_integer(part); });
-  if (parts.size() != 2) node.fail(fmt::format("2 numbers are wanted, not {}", parts.size()));
-  return {parts[0], parts[1]};
-}
-
-RootDisc read_disc(const JsonNode& node) {
-  node.require_known_keys({"center", "radius", "residue", "residue_radius"});
-  return {read_grid_point(node.at("center")), read_integer(node.at("radius"), 0),
-          read_grid_point(node.at("residue")), read_integer(node.at("residue_radius"), 0)};
-}
-
-CertifiedLogs read_logs(const JsonNode& node) {
-  node.require_known_keys({"index", "residue", "roots"});
-  return {read_polynomial(node.at("index")), read_polynomial(node.at("residue")),
-          read_list(node.at("roots"), read_disc)};
-}
-
-StatedPoint read_stated_point(const JsonNode& node) {
-  node.require_known_keys({"t", "order"});
-  const long order = read_count(node.at("order"), 1, 1'000'000'000);
-  const JsonNode t = node.at("t");
-  if (!t.is(Kind::object)) {
-    const Rational at = t.number();
-    return {primitive_part(Polynomial{-at, 1}), closed_interval(at, at), order};
-  }
-  t.require_known_keys({"polynomial", "interval"});
-  Polynomial polynomial = read_polynomial(t.at("polynomial"));
-  if (polynomial.is_constant()) t.at("polynomial").fail("the polynomial is constant");
-  const auto ends = t.at("interval").numbers(2);
-  if (ends[0] >= ends[1]) t.at("interval").fail("the interval is empty");
-  return {std::move(polynomial), open_interval(ends[0], ends[1]), order};
-}
-
 /// A decimal number as it is written.
 std::string read_decimal(const JsonNode& node) {
   const std::string& text = node.string();
-  node.number();
-  if (text.find_first_of("/xX") != std::string::npos)
+  std::string_view exponent = text;
+  if (!is_decimal(exponent))
     node.fail(fmt::format("a decimal number is wanted, not \"{}\"", abbreviated(text)));
+  constexpr std::size_t longest = 10;
+  if (exponent.size() > longest ||
+      (!exponent.empty() && std::abs(std::stol(std::string(exponent))) > greatest_exponent))
+    node.fail(fmt::format("exponents are limited to {}", greatest_exponent));
+  node.number();  // which refuses what is too long
   return text;
 }
 
@@ -110,18 +91,12 @@ TurnCount read_turn(const JsonNode& node) {
     return text.string();
   });
   if (signs.size() != 2) node.at("signs").fail("the signs at 0 and at t are wanted");
-  constexpr long largest = 1'000'000'000;
-  return {read_count(node.at("index"), -largest, largest), signs[0], signs[1]};
+  return {read_count(node.at("index"), -most_count, most_count), signs[0], signs[1]};
 }
 
-AngleClaim read_claim(const JsonNode& node, bool has_turn) {
-  if (has_turn)
-    node.require_known_keys({"t", "theta", "radius", "turn"});
-  else
-    node.require_known_keys({"t", "theta", "radius"});
-  AngleClaim claim{
-      node.at("t").number(), read_decimal(node.at("theta")), read_decimal(node.at("radius")), {}};
-  if (has_turn) claim.turn = read_turn(node.at("turn"));
+AngleClaim read_claim(const JsonNode& node) {
+  AngleClaim claim{{}, read_decimal(node.at("theta")), read_decimal(node.at("radius")), {}};
+  if (claim.radius.front() == '-') node.at("radius").fail("a radius has no sign");
   return claim;
 }
 
@@ -134,7 +109,203 @@ bool read_answer(const JsonNode& node, std::vector<std::string_view> keys) {
   return answer;
 }
 
-StatedDecisions read_decisions(const JsonNode& node) {
+/// The bits of the longest of the least common denominator d and the coefficients of d·p.
+long written_bits(const Polynomial& p) {
+  const Integer d = denominator(p);
+  long bits = bit_length(d);
+  for (const Rational& c : p.coefficients())
+    bits = std::max(bits, bit_length(Integer(numerator(c) * (d / denominator(c)))));
+  return bits;
+}
+
+/// Reads what follows the curve, and sums up the work of checking it, in the units of the page.
+class CertificateReader {
+ public:
+  /// Of the curve, whose lists of coefficients say how long the others may be.
+  CertificateReader(const JsonNode& curve, const CurveLimits& limits)
+      : most_(limits.max_degree + 1) {
+    curve.require_known_keys(
+        {"phrame", "name", "note", "basis", "start", "preimage", "multiplier"});
+    for (const char* remark : {"name", "note"})
+      if (const auto text = curve.find(remark)) text->string();
+    if (const JsonNode basis = curve.at("basis"); basis.string() != "power")
+      basis.fail(fmt::format("the basis is \"power\", not \"{}\"", abbreviated(basis.string())));
+    if (const auto start = curve.find("start")) vector(*start);
+    std::size_t m = 0;
+    std::size_t f = 0;
+    const JsonNode preimage = curve.at("preimage");
+    for (const char* key : {"u", "v", "p", "q"}) {
+      const JsonNode list = preimage.at(key);
+      bits_ = std::max(bits_, written_bits(polynomial(list)));
+      if (list.size() == 0) list.fail("the list of coefficients is empty");
+      m = std::max(m, list.size() - 1);
+    }
+    if (const auto list = curve.find("multiplier")) {
+      bits_ = std::max(bits_, written_bits(polynomial(*list)));
+      if (list->size() == 0) list->fail("the list of coefficients is empty");
+      f = list->size() - 1;
+    }
+    longest_ = static_cast<long>(4 * m + 2 * f + 2);
+    most_ = longest_ + 1;
+  }
+
+  Integer integer(const JsonNode& node) {
+    const Rational x = exact(node);
+    if (node.text().find('/') != std::string::npos) node.fail(as_written(x) + " is not an integer");
+    return Integer(numerator(x));
+  }
+
+  Integer integer(const JsonNode& node, const Integer& least) {
+    Integer n = integer(node);
+    if (n < least) node.fail(fmt::format("{} is less than {}", abbreviated(n.str()), least.str()));
+    return n;
+  }
+
+  Rational exact(const JsonNode& node) {
+    if (!is_exact(node.string()))
+      node.fail(
+          fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(node.text())));
+    Rational x = node.number();
+    volume_ += size(x);
+    return x;
+  }
+
+  Vector<Rational> vector(const JsonNode& node) {
+    const auto list = read_list(node, [this](const JsonNode& item) { return exact(item); });
+    if (list.size() != 3) node.fail(fmt::format("3 numbers are wanted, not {}", list.size()));
+    return {list[0], list[1], list[2]};
+  }
+
+  Polynomial polynomial(const JsonNode& node) {
+    node.require(Kind::array, "an array of coefficients");
+    if (static_cast<long>(node.size()) > most_)
+      node.fail(fmt::format("{} coefficients are more than {}", node.size(), most_));
+    Polynomial p(read_list(node, [this](const JsonNode& item) { return exact(item); }));
+    volume_ += Integer(p.degree() + 1) * Integer(written_bits(p));
+    return p;
+  }
+
+  Polynomial nonzero(const JsonNode& node) {
+    Polynomial p = polynomial(node);
+    if (p.is_zero()) node.fail("the polynomial is 0");
+    return p;
+  }
+
+  GaussianPolynomial gaussian(const JsonNode& node) {
+    node.require_known_keys({"re", "im"});
+    return {polynomial(node.at("re")), polynomial(node.at("im"))};
+  }
+
+  CertifiedLogs logs(const JsonNode& node, long bits) {
+    node.require_known_keys({"index", "residue", "roots"});
+    CertifiedLogs sum{polynomial(node.at("index")), polynomial(node.at("residue")), {}};
+    if (sum.index.is_constant()) node.at("index").fail("the index is constant");
+    sum.roots = read_list(node.at("roots"), [this](const JsonNode& item) { return disc(item); });
+    const Integer k = sum.index.degree() + 1;
+    const Integer b = std::max(written_bits(sum.index), written_bits(sum.residue));
+    const Integer n = static_cast<long>(sum.roots.size());
+    work_ += n * k * k * Integer(b + bits + 64) / 8 + k * k * k * b * b / 63000;
+    discs_ += static_cast<long>(sum.roots.size());
+    ++sums_;
+    return sum;
+  }
+
+  /// Precondition: all logs are read.
+  AngleClaim claim(const JsonNode& node, bool is_frenet) {
+    if (is_frenet)
+      node.require_known_keys({"t", "theta", "radius", "turn"});
+    else
+      node.require_known_keys({"t", "theta", "radius"});
+    AngleClaim claim = read_claim(node);
+    claim.t = exact(node.at("t"));
+    if (is_frenet) claim.turn = read_turn(node.at("turn"));
+    const Integer k = size(parse_rational(claim.radius));
+    const Integer theta = size(parse_rational(claim.theta));
+    const Integer t = longest_ * size(claim.t);
+    work_ += Integer(discs_ + 8) * k * k + theta * theta / 1000 +
+             t * t * Integer(10 + (is_frenet ? longest_ : 0)) / 1000;
+    return claim;
+  }
+
+  std::vector<StatedPoint> points(const JsonNode& node) {
+    auto list = read_list(node, [this](const JsonNode& item) { return point(item); });
+    struct Span {
+      Integer length;
+      Rational lower;
+      Rational upper;
+    };
+    std::vector<Span> spans;
+    for (const StatedPoint& p : list) {
+      const Rational& a = *p.interval.lower;
+      const Rational& b = *p.interval.upper;
+      Span span{p.polynomial.degree() + 1, a == b ? a - 1 : a, a == b ? b + 1 : b};
+      const Integer bits = size(span.lower) + size(span.upper);
+      work_ += span.length * span.length * span.length * bits * bits / 2000;
+      for (const Span& other : spans)
+        if (std::max(span.lower, other.lower) < std::min(span.upper, other.upper))
+          work_ += 200 * span.length * other.length;
+      spans.push_back(std::move(span));
+    }
+    return list;
+  }
+
+  StatedDecisions decisions(const JsonNode& node);
+
+  /// Precondition: all is read.
+  Integer work(bool is_frenet) const {
+    const Integer d = longest_;
+    const Integer a = bits_;
+    return work_ + 50 * d * d * d * Integer(1 + bits_ / 64) +
+           volume_ * volume_ * Integer(sums_ + 1) / 63000 +
+           (is_frenet ? Integer(d * d * d * d * a * a / 6000) : Integer(0));
+  }
+
+ private:
+  /// Of the numerator and the denominator.
+  static long size(const Rational& x) {
+    return bit_length(numerator(x)) + bit_length(denominator(x));
+  }
+
+  GaussianInteger grid_point(const JsonNode& node) {
+    const auto parts = read_list(node, [this](const JsonNode& part) { return integer(part); });
+    if (parts.size() != 2) node.fail(fmt::format("2 numbers are wanted, not {}", parts.size()));
+    return {parts[0], parts[1]};
+  }
+
+  RootDisc disc(const JsonNode& node) {
+    node.require_known_keys({"center", "radius", "residue", "residue_radius"});
+    return {grid_point(node.at("center")), integer(node.at("radius"), 0),
+            grid_point(node.at("residue")), integer(node.at("residue_radius"), 0)};
+  }
+
+  StatedPoint point(const JsonNode& node) {
+    node.require_known_keys({"t", "order"});
+    const long order = read_count(node.at("order"), 1, most_count);
+    const JsonNode t = node.at("t");
+    if (!t.is(Kind::object)) {
+      const Rational at = exact(t);
+      return {primitive_part(Polynomial{-at, 1}), closed_interval(at, at), order};
+    }
+    t.require_known_keys({"polynomial", "interval"});
+    Polynomial w = polynomial(t.at("polynomial"));
+    if (w.is_constant()) t.at("polynomial").fail("the polynomial is constant");
+    const auto ends =
+        read_list(t.at("interval"), [this](const JsonNode& item) { return exact(item); });
+    if (ends.size() != 2 || ends[0] >= ends[1])
+      t.at("interval").fail("an interval has two ends, the first the lower one");
+    return {std::move(w), open_interval(ends[0], ends[1]), order};
+  }
+
+  long most_;         ///< coefficients in a list
+  long longest_ = 0;  ///< D of the page
+  long bits_ = 1;     ///< of the curve
+  long discs_ = 0;
+  long sums_ = 0;
+  Integer volume_ = 0;
+  Integer work_ = 0;
+};
+
+StatedDecisions CertificateReader::decisions(const JsonNode& node) {
   node.require_known_keys({"regular", "inflections", "line", "planar", "helical", "double_ph",
                            "primitive", "erf_is_rmf", "rrmf", "erf_monotone"});
   const auto listed = [&](const char* question, std::vector<std::string_view> keys) {
@@ -147,7 +318,6 @@ StatedDecisions read_decisions(const JsonNode& node) {
   const JsonNode inflections = listed("inflections", {"points"});
   const JsonNode primitive = listed("primitive", {"content"});
   const JsonNode monotone = listed("erf_monotone", {"zeros_of_h", "extrema"});
-  const auto points = [](const JsonNode& list) { return read_list(list, read_stated_point); };
   StatedDecisions d{regular.at("answer").boolean(),
                     points(regular.at("cusps")),
                     inflections.at("answer").boolean(),
@@ -157,22 +327,22 @@ StatedDecisions read_decisions(const JsonNode& node) {
                     {},
                     {},
                     primitive.at("answer").boolean(),
-                    read_polynomial(primitive.at("content")),
+                    polynomial(primitive.at("content")),
                     read_answer(node.at("erf_is_rmf"), {}),
                     {},
                     monotone.at("answer").boolean(),
                     points(monotone.at("zeros_of_h")),
                     points(monotone.at("extrema"))};
   if (const JsonNode line = node.at("line"); read_answer(line, {"direction"}))
-    d.line = read_vector(line.at("direction"));
+    d.line = vector(line.at("direction"));
   if (const JsonNode planar = node.at("planar"); read_answer(planar, {"normal"}))
-    d.normal = read_vector(planar.at("normal"));
+    d.normal = vector(planar.at("normal"));
   if (const JsonNode helix = node.at("helical"); read_answer(helix, {"axis", "cos_squared"}))
-    d.helix = {read_vector(helix.at("axis")), helix.at("cos_squared").number()};
+    d.helix = {vector(helix.at("axis")), exact(helix.at("cos_squared"))};
   if (const JsonNode square = node.at("double_ph"); read_answer(square, {"constant", "omega"}))
-    d.double_ph = {square.at("constant").number(), read_polynomial(square.at("omega"))};
+    d.double_ph = {exact(square.at("constant")), polynomial(square.at("omega"))};
   if (const JsonNode rrmf = node.at("rrmf"); read_answer(rrmf, {"w"}))
-    d.rational_frame = read_gaussian_polynomial(rrmf.at("w"));
+    d.rational_frame = gaussian(rrmf.at("w"));
   return d;
 }
 
@@ -183,22 +353,9 @@ Reference read_frame(const JsonNode& node) {
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
-RationalFunction read_rational_function(const JsonNode& node) {
-  node.require_known_keys({"numerator", "denominator"});
-  Polynomial denominator = read_polynomial(node.at("denominator"));
-  if (denominator.is_zero()) node.at("denominator").fail("the denominator is 0");
-  return {read_polynomial(node.at("numerator")), std::move(denominator)};
-}
-
-Vector<Polynomial> read_hodograph(const JsonNode& node) {
-  auto list = read_list(node, read_polynomial);
-  if (list.size() != 3) node.fail(fmt::format("3 polynomials are wanted, not {}", list.size()));
-  return {list[0], list[1], list[2]};
-}
-
 }  // namespace
 
-Certificate read_certificate(std::string_view text, const CurveLimits& limits) {
+NamedCertificate read_certificate(std::string_view text, const CertificateLimits& limits) {
   const JsonValue document = parse_json_file(text, "certificate");
   const JsonNode node(document);
   node.require(Kind::object, "an object");
@@ -212,36 +369,49 @@ Certificate read_certificate(std::string_view text, const CurveLimits& limits) {
                                      "claims", "decisions"};
   if (is_frenet) keys.emplace_back("bend");
   node.require_known_keys(keys);
+  const JsonNode curve = node.at("curve");
+  CertificateReader read(curve, limits.curve);
+  NamedCurve named = read_curve(curve, limits.curve);
   const JsonNode rate = node.at("rate");
   rate.require_known_keys({"numerator", "denominator", "common", "coprime_modulo"});
   const JsonNode antiderivative = node.at("antiderivative");
   antiderivative.require_known_keys({"rational", "logs"});
-  const JsonNode curve = node.at("curve");
-  curve.require_known_keys(
-      {"phrame", "name", "note", "family", "basis", "start", "preimage", "multiplier"});
-  if (const JsonNode basis = curve.at("basis"); basis.string() != "power")
-    basis.fail(fmt::format("the basis is \"power\", not \"{}\"", abbreviated(basis.string())));
-  const auto read_claims = [&](const JsonNode& claim) { return read_claim(claim, is_frenet); };
-  Certificate c{read_curve(curve, limits).curve,
+  const JsonNode rational = antiderivative.at("rational");
+  rational.require_known_keys({"numerator", "denominator"});
+  const auto polynomial = [&](const JsonNode& item) { return read.polynomial(item); };
+  const auto hodograph = read_list(node.at("hodograph"), polynomial);
+  if (hodograph.size() != 3)
+    node.at("hodograph").fail(fmt::format("3 polynomials are wanted, not {}", hodograph.size()));
+  const long bits = read_count(node.at("bits"), 0, most_count);
+  // In a list the order of evaluation is that of its items: the logs before the claims.
+  Certificate c{std::move(named.curve),
                 reference,
-                read_hodograph(node.at("hodograph")),
-                read_polynomial(node.at("sigma")),
-                read_polynomial(node.at("h")),
-                read_gaussian_polynomial(node.at("g")),
-                {read_polynomial(rate.at("numerator")), read_polynomial(rate.at("denominator")),
-                 read_polynomial(rate.at("common")), read_integer(rate.at("coprime_modulo"), 2)},
-                read_rational_function(antiderivative.at("rational")),
-                read_list(antiderivative.at("logs"), read_logs),
-                read_count(node.at("bits"), 0, max_bits),
+                {hodograph[0], hodograph[1], hodograph[2]},
+                polynomial(node.at("sigma")),
+                polynomial(node.at("h")),
+                read.gaussian(node.at("g")),
+                {polynomial(rate.at("numerator")), polynomial(rate.at("denominator")),
+                 polynomial(rate.at("common")), read.integer(rate.at("coprime_modulo"), 2)},
+                {polynomial(rational.at("numerator")), read.nonzero(rational.at("denominator"))},
+                read_list(antiderivative.at("logs"),
+                          [&](const JsonNode& item) { return read.logs(item, bits); }),
+                bits,
                 {},
-                read_list(node.at("claims"), read_claims),
-                read_decisions(node.at("decisions"))};
+                read_list(node.at("claims"),
+                          [&](const JsonNode& item) { return read.claim(item, is_frenet); }),
+                read.decisions(node.at("decisions"))};
   if (is_frenet) {
     const JsonNode bend = node.at("bend");
     bend.require_known_keys({"polynomial", "content"});
-    c.bend = {read_gaussian_polynomial(bend.at("polynomial")), read_polynomial(bend.at("content"))};
+    c.bend = {read.gaussian(bend.at("polynomial")), polynomial(bend.at("content"))};
   }
-  return c;
+  const Integer size = static_cast<long>(std::max(text.size(), full_size));
+  const Integer full = static_cast<long>(full_size);
+  const Integer most = Integer(most_work) * size * size / (full * full);
+  if (const Integer work = read.work(is_frenet); limits.is_limited && work > most)
+    node.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
+                          work.str(), most.str()));
+  return {std::move(named.name), std::move(c)};
 }
 
 }  // namespace phrame

@@ -5,8 +5,20 @@
 
 namespace phrame {
 
-/// Reads a certificate/1 file (docs/certificate.md), true or not. Throws InputError as read_curve;
-/// `limits` are those of its curve.
-PHRAME_API Certificate read_certificate(std::string_view text, const CurveLimits& limits = {});
+/// What is refused because it would take too long.
+struct CertificateLimits {
+  CurveLimits curve = {};
+  bool is_limited = true;  ///< are those refused that may take more work than the page says?
+};
+
+/// A certificate, and what it calls its curve.
+struct NamedCertificate {
+  std::string name;         ///< of the curve; may be empty
+  Certificate certificate;  ///< true or not
+};
+
+/// Reads a certificate/1 file (docs/certificate.md), true or not. Throws InputError as read_curve.
+PHRAME_API NamedCertificate read_certificate(std::string_view text,
+                                             const CertificateLimits& limits = {});
 
 }  // namespace phrame

@@ -8,6 +8,7 @@
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/modular.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
+#include "phrame/ph/proof/disc_laws.hpp"
 
 namespace phrame {
 namespace {
@@ -44,28 +45,6 @@ bool place_discs(std::vector<CertifiedLogs>& logs, long bits) {
   return true;
 }
 
-/// Does the disc meet none of another sum?
-bool is_alone(const RootDisc& disc, const CertifiedLogs& its,
-              const std::vector<CertifiedLogs>& logs) {
-  for (const CertifiedLogs& sum : logs)
-    for (const RootDisc& other : sum.roots)
-      if (&sum != &its && !are_apart(disc, other)) return false;
-  return true;
-}
-
-/// Does a disc show a residue of F′ that is not in iℤ?
-bool excludes_multiples_of_i(const std::vector<CertifiedLogs>& logs, long bits) {
-  const Integer unit = Integer(1) << static_cast<unsigned long>(bits);
-  for (const CertifiedLogs& sum : logs)
-    for (const RootDisc& disc : sum.roots) {
-      if (!is_alone(disc, sum, logs)) continue;
-      const Integer rest = abs(disc.residue.im) % unit;
-      const Integer distance = std::min(rest, Integer(unit - rest));
-      if (abs(disc.residue.re) > disc.residue_radius || distance > disc.residue_radius) return true;
-    }
-  return false;
-}
-
 /// On a grid that proves the angle up to `slack` for all |t| ≤ reach and, where there is no
 /// rational frame though all poles are simple, a residue that is not in iℤ.
 void place_discs(Certificate& c, const std::optional<Rational>& slack, const Rational& reach) {
@@ -76,7 +55,8 @@ void place_discs(Certificate& c, const std::optional<Rational>& slack, const Rat
       Rational error = 0;
       for (const CertifiedLogs& sum : c.logs) error += log_error(sum.roots, c.bits, reach);
       const bool is_fine = !slack || error <= *slack;
-      if (is_fine && (!shows_residue || excludes_multiples_of_i(c.logs, c.bits))) return;
+      if (is_fine && (!shows_residue || shows_residue_outside_multiples_of_i(c.logs, c.bits)))
+        return;
       if (!is_fine) missing = binary_exponent(error / *slack) + 2;
     }
     c.bits += missing;

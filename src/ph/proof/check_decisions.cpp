@@ -15,8 +15,11 @@ std::vector<StatedPoint> stated(const std::vector<RealRoot>& roots) {
   return list;
 }
 
-/// The root that is meant; none where it is not one.
+/// The root that is meant; none where it is not one, or an end of the interval is a root, too.
 std::optional<RealRoot> meant(const StatedPoint& point) {
+  const auto& [lower, upper] = std::pair(*point.interval.lower, *point.interval.upper);
+  if (lower != upper && (point.polynomial(lower) == 0 || point.polynomial(upper) == 0))
+    return std::nullopt;
   try {
     return RealRoot{real_root(point.polynomial, point.interval), point.order};
   } catch (const DomainError&) {
@@ -118,30 +121,34 @@ std::vector<Statement> check_decisions(const StatedDecisions& d, const Curve& cu
   if (primitive.empty() &&
       (d.content.is_zero() || !(primitive_part(d.content) == primitive_part(c.content))))
     primitive = "the content is another polynomial";
-  return {
-      {"decision regular", points(d.regular, c.cusps.empty(), d.cusps, c.cusps)},
-      {"decision inflections",
-       points(d.has_inflections, !c.inflections.empty(), d.inflections, c.inflections)},
-      {"decision line", objection_to_witness(d.line, c.line.has_value(),
-                                             [&](const auto& v) { return witnesses_line(v, r); })},
-      {"decision planar",
-       objection_to_witness(d.normal, c.normal.has_value(),
-                            [&](const auto& n) { return witnesses_plane(n, r); })},
-      {"decision helical",
-       objection_to_witness(d.helix, c.helix.has_value(),
-                            [&](const auto& helix) { return witnesses_helix(helix, r, s); })},
-      {"decision double_ph", objection_to_witness(d.double_ph, c.double_ph.has_value(),
-                                                  [&](const auto& square) {
-                                                    return rho(a) ==
-                                                           square.constant * pow(square.omega, 2);
-                                                  })},
-      {"decision primitive", primitive},
-      {"decision erf_is_rmf", answer(d.erf_is_rmf, c.erf_is_rotation_minimizing)},
-      {"decision rrmf",
-       objection_to_witness(d.rational_frame,
-                            std::holds_alternative<RationalFrame>(c.rational_frame),
-                            [&](const auto& w) { return witnesses_rational_frame(w, a, s); })},
-      {"decision erf_monotone", monotone}};
+  const auto line = objection_to_witness(d.line, c.line.has_value(),
+                                         [&](const auto& v) { return witnesses_line(v, r); });
+  const auto plane = objection_to_witness(d.normal, c.normal.has_value(),
+                                          [&](const auto& n) { return witnesses_plane(n, r); });
+  const auto helix = objection_to_witness(d.helix, c.helix.has_value(), [&](const auto& witness) {
+    return witnesses_helix(witness, r, s);
+  });
+  const auto double_ph = objection_to_witness(
+      d.double_ph, c.double_ph.has_value(),
+      [&](const auto& square) { return rho(a) == square.constant * pow(square.omega, 2); });
+  const auto rrmf = objection_to_witness(
+      d.rational_frame, std::holds_alternative<RationalFrame>(c.rational_frame),
+      [&](const auto& w) { return witnesses_rational_frame(w, a, s); });
+  const auto decision = [](const char* name, bool is_yes, std::string objection) {
+    return Statement{std::string("decision ") + name + (is_yes ? ": yes" : ": no"),
+                     std::move(objection)};
+  };
+  return {decision("regular", d.regular, points(d.regular, c.cusps.empty(), d.cusps, c.cusps)),
+          decision("inflections", d.has_inflections,
+                   points(d.has_inflections, !c.inflections.empty(), d.inflections, c.inflections)),
+          decision("line", d.line.has_value(), line),
+          decision("planar", d.normal.has_value(), plane),
+          decision("helical", d.helix.has_value(), helix),
+          decision("double_ph", d.double_ph.has_value(), double_ph),
+          decision("primitive", d.primitive, primitive),
+          decision("erf_is_rmf", d.erf_is_rmf, answer(d.erf_is_rmf, c.erf_is_rotation_minimizing)),
+          decision("rrmf", d.rational_frame.has_value(), rrmf),
+          decision("erf_monotone", d.erf_monotone, monotone)};
 }
 
 }  // namespace phrame

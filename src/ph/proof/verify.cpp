@@ -9,6 +9,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
+#include "phrame/ph/proof/disc_laws.hpp"
 
 namespace phrame {
 namespace {
@@ -82,11 +83,13 @@ std::string objection_to_antiderivative(const Certificate& c) {
   return unless(derivative == rate_to_erf(c.curve.preimage()), "its derivative is not -2h/sigma");
 }
 
-/// The discs of one sum: a root in each by Newton's step m − q(m)/q′(Z) ⊂ Z, and the residue there.
+/// The discs of one sum: a root in each by Newton's step m − q(m)/q′(Z) ⊂ Z, and the residue there;
+/// and by the inequalities of docs/certificate.md, so that no disc is proved here alone.
 class DiscCheck {
  public:
   DiscCheck(const CertifiedLogs& sum, long bits)
       : sum_(sum),
+        bits_(bits),
         unit_(power_of_two(-bits)),
         slope_(differentiate(sum.index)),
         numerator_((sum.residue * slope_) % sum.index),
@@ -101,7 +104,12 @@ class DiscCheck {
       for (const RootDisc* other : discs)
         if (!are_apart(disc, *other)) return "two discs meet";
       discs.push_back(&disc);
-      if (!find_root(disc)) return fmt::format("no root is proved in disc {}", discs.size() - 1);
+      const auto least = radius_of_root(sum_.index, disc.center, bits_);
+      if (!least || disc.radius < *least)
+        return fmt::format("the radius of disc {} is too small", discs.size() - 1);
+      // In a wide disc q′ may vanish; the root is also in this one.
+      if (!find_root(disc) && !find_root({disc.center, *least, {}, {}}))
+        return fmt::format("no root is proved in disc {}", discs.size() - 1);
     }
     return "";
   }
@@ -113,6 +121,8 @@ class DiscCheck {
       const ComplexBall residue = divide(evaluate(numerator_, roots_[k], precision_),
                                          evaluate(slope_, roots_[k], precision_), precision_);
       const bool is_exact = disc.residue_radius == 0;
+      if (!holds_residue(sum_.index, numerator_, disc, bits_))
+        return fmt::format("the radius of residue {} is too small", k);
       if (is_exact ? !is_residue(disc) : !is_within(residue, disc.residue, disc.residue_radius))
         return fmt::format("the residue of disc {} is not proved", k);
     }
@@ -180,6 +190,7 @@ class DiscCheck {
   }
 
   const CertifiedLogs& sum_;
+  long bits_;
   Rational unit_;
   Polynomial slope_;
   Polynomial numerator_;
@@ -193,39 +204,103 @@ std::string objection_to_bend(const Certificate::Bend& bend, const GaussianPolyn
                 "the parts of the polynomial have a common factor");
 }
 
-std::string objection_to_turn(const TurnCount& turn, const ContinuousArgument& argument,
-                              const GaussianPolynomial& gamma, const Rational& t) {
-  if (!(argument.turn(t) == turn)) return "the Sturm sequence has other signs";
-  // Independent of Sturm: the argument by quadrature of its derivative.
-  const RealBall rest =
-      subtract(quadrature(rate_of_argument(gamma), 0, t, 60), argument.difference(t, 60), 60);
-  return unless(rest.is_finite() && rest.lower() > -1 && rest.upper() < 1,
-                "quadrature does not confirm the turn");
-}
-
-/// |θ(t) − theta| ≤ radius, θ being the integral of `rate`, by quadrature, or exactly where θ is a
-/// rational function R with R′ = rate.
-std::string objection_to_angle(const AngleClaim& claim, const RationalFunction& rate,
-                               const std::optional<RationalFunction>& angle) {
-  const Rational value = parse_rational(claim.theta);
-  const Rational radius = parse_rational(claim.radius);
-  if (radius < 0) return "the radius is negative";
-  constexpr auto wrong = "theta is further off";
-  if (claim.t == 0 || rate.is_zero()) return unless(abs(value) <= radius, wrong);
-  if (angle) return unless(abs((*angle)(claim.t) - (*angle)(0) - value) <= radius, wrong);
-  if (radius == 0) return "theta is not rational as far as seen, so that no radius of 0 is proved";
-  const long needed = std::max(0L, -binary_exponent(radius)) + 16;
-  constexpr long largest = 32768;  // takes minutes
-  for (const long bits : {64L, needed, needed + 40, needed + 200}) {
-    if (bits > largest) break;
-    const RealBall theta = quadrature(rate, 0, claim.t, bits);
-    if (!theta.is_finite()) continue;
-    const Rational lower = theta.lower() - value;
-    const Rational upper = theta.upper() - value;
-    if (-radius <= lower && upper <= radius) return "";
-    if (upper < -radius || radius < lower) return wrong;
+/// The angle to the frame of a certificate, by other ways than its discs.
+class AngleCheck {
+ public:
+  /// Precondition: the curve has the frame.
+  explicit AngleCheck(const Certificate& c)
+      : c_(c), angle_(c.curve, c.reference), rate_(angle_.rate()) {
+    if (const Antiderivative F = integrate(rate_); F.logs.empty())
+      rational_ = RationalFunction(F.polynomial) + F.rational;
+    if (c.reference != Reference::frenet) return;
+    const GaussianPolynomial bend = regular_bend(c.curve.preimage());
+    argument_.emplace(bend);
+    turns_ = !rate_of_argument(bend).is_zero();
   }
-  return "quadrature does not decide it";
+
+  /// |θ(t) − theta| ≤ radius, exactly where θ is rational, else by quadrature.
+  std::string objection(const AngleClaim& claim) const {
+    const Rational value = parse_rational(claim.theta);
+    const Rational radius = parse_rational(claim.radius);
+    if (radius < 0) return "the radius is negative";
+    const bool is_frenet = c_.reference == Reference::frenet;
+    if (claim.t == 0 || (is_frenet && rate_.is_zero())) return unless(abs(value) <= radius, wrong);
+    if (c_.logs.empty() && rational_ && !turns_)
+      return unless(abs((*rational_)(claim.t) - (*rational_)(0) - value) <= radius, wrong);
+    if (radius == 0)
+      return "theta is not rational as far as seen, so that no radius of 0 is proved";
+    std::string objection = objection_to_value(claim.t, value, radius);
+    return objection.empty() ? objection_to_discs(claim.t, value, radius) : objection;
+  }
+
+  /// None for the Euler–Rodrigues frame.
+  std::string objection_to_turn(const AngleClaim& claim) const {
+    if (!argument_) return "";
+    if (!(argument_->turn(claim.t) == *claim.turn)) return "the Sturm sequence has other signs";
+    // Independent of Sturm: the argument by quadrature of its derivative.
+    const RationalFunction rate = rate_of_argument(regular_bend(c_.curve.preimage()));
+    const RealBall rest =
+        subtract(quadrature(rate, 0, claim.t, 60), argument_->difference(claim.t, 60), 60);
+    return unless(rest.is_finite() && rest.lower() > -1 && rest.upper() < 1,
+                  "quadrature does not confirm the turn");
+  }
+
+ private:
+  static constexpr auto wrong = "theta is further off";
+
+  /// Quadrature up to some 300 digits, which takes the third power of their number; where that does
+  /// not decide, an antiderivative that is found anew.
+  std::string objection_to_value(const Rational& t, const Rational& value,
+                                 const Rational& radius) const {
+    const long needed = std::max(0L, -binary_exponent(radius)) + 16;
+    constexpr long most_for_quadrature = 1100;
+    for (const bool by_quadrature : {true, false})
+      for (const long bits : {64L, needed, needed + 40, needed + 200}) {
+        if (by_quadrature && bits > most_for_quadrature) break;
+        const RealBall theta =
+            by_quadrature ? quadrature(rate_, 0, t, bits) : angle_.enclose(t, bits);
+        if (!theta.is_finite()) continue;
+        const Rational lower = theta.lower() - value;
+        const Rational upper = theta.upper() - value;
+        if (-radius <= lower && upper <= radius) return "";
+        if (upper < -radius || radius < lower) return wrong;
+      }
+    return "the angle is too close to the end of the interval";
+  }
+
+  /// Do the discs of the certificate prove it, too?
+  std::string objection_to_discs(const Rational& t, const Rational& value,
+                                 const Rational& radius) const {
+    const RationalFunction& R = c_.rational;
+    if (R.denominator()(t) == 0 || R.denominator()(0) == 0) return "the rational part has a pole";
+    long bits = std::max(0L, -binary_exponent(radius)) + 128;
+    for (const CertifiedLogs& sum : c_.logs)
+      for (const RootDisc& disc : sum.roots) {
+        if (disc.center.im <= disc.radius) return "a disc meets the real axis";
+        bits = std::max(bits, bit_length(disc.residue.re) + bit_length(disc.residue.im) - c_.bits +
+                                  std::max(0L, -binary_exponent(radius)) + 128);
+      }
+    const auto [at_centers, off] = logs_by_discs(c_, t, bits);
+    RealBall theta = add(at_centers, RealBall(R(t) - R(0), bits), bits);
+    if (argument_) theta = add(theta, argument_->difference(t, bits), bits);
+    const RealBall distance = absolute(subtract(theta, RealBall(value, bits), bits));
+    return unless(is_at_most(add(distance, off, bits), RealBall(radius, bits)),
+                  "the discs are too large");
+  }
+
+  const Certificate& c_;
+  RmfAngle angle_;
+  RationalFunction rate_;
+  std::optional<RationalFunction> rational_;    ///< θ up to a constant, where it is that
+  std::optional<ContinuousArgument> argument_;  ///< of the bend, with the Frenet frame
+  bool turns_ = false;                          ///< is that not constant?
+};
+
+/// For "decision rrmf: no" the certificate has to show a pole that is not simple, or a residue.
+std::string objection_to_poles(const Certificate& c) {
+  return unless(
+      !differentiate(c.rational).is_zero() || shows_residue_outside_multiples_of_i(c.logs, c.bits),
+      "no disc shows a residue outside iZ");
 }
 
 }  // namespace
@@ -247,30 +322,22 @@ std::vector<Statement> verify(const Certificate& c) {
     list.push_back({"roots of log " + number, roots});
     list.push_back({"residues of log " + number, residues});
   }
-  RationalFunction rate = rate_to_erf(c.curve.preimage());
-  std::optional<ContinuousArgument> argument;
-  GaussianPolynomial gamma;
-  const bool has_frame =
-      c.reference == Reference::euler_rodrigues || !is_zero(bend_numerator(c.curve.preimage()));
-  if (c.reference == Reference::frenet && has_frame) {
-    rate = rate_to_frenet(c.curve.preimage());
-    gamma = regular_bend(c.curve.preimage());
-    argument.emplace(gamma);
-    list.push_back({"bend", objection_to_bend(*c.bend, bend_numerator(c.curve.preimage()))});
-  } else if (!has_frame) {
-    list.push_back({"bend", no_frame});
-  }
-  std::optional<RationalFunction> angle;
-  if (const Antiderivative F = integrate(rate); F.logs.empty())
-    angle = RationalFunction(F.polynomial) + F.rational;
+  const GaussianPolynomial bend = bend_numerator(c.curve.preimage());
+  const bool has_frame = c.reference == Reference::euler_rodrigues || !is_zero(bend);
+  if (c.reference == Reference::frenet)
+    list.push_back({"bend", has_frame ? objection_to_bend(*c.bend, bend) : no_frame});
+  std::optional<AngleCheck> check;
+  if (has_frame && !c.claims.empty()) check.emplace(c);
   for (const AngleClaim& claim : c.claims) {
-    std::string objection = has_frame ? objection_to_angle(claim, rate, angle) : no_frame;
-    if (objection.empty() && argument)
-      objection = objection_to_turn(*claim.turn, *argument, gamma, claim.t);
+    std::string objection = check ? check->objection_to_turn(claim) : no_frame;
+    if (objection.empty()) objection = check->objection(claim);
     list.push_back({claim, objection});
   }
-  for (Statement& decision : check_decisions(c.decisions, c.curve))
+  for (Statement& decision : check_decisions(c.decisions, c.curve)) {
+    if (decision.is_proved() && std::get<std::string>(decision.what) == "decision rrmf: no")
+      decision.objection = objection_to_poles(c);
     list.push_back(std::move(decision));
+  }
   return list;
 }
 

@@ -5,9 +5,10 @@
 namespace phrame {
 
 /// Decides every statement of the certificate, starting from its curve, by another way than it was
-/// found: each disc by the interval Newton method, angles and turns by certified quadrature of θ′,
-/// decisions by classifying the curve again. No claim rests on another statement. What is false is
-/// never proved; a true claim is not proved where the quadrature does not get there.
+/// found: each disc by the interval Newton method, angles and turns by certified quadrature of θ′
+/// (of more than 300 digits by an antiderivative that is found anew), decisions by classifying the
+/// curve again. Beside that the laws of docs/certificate.md must hold, so that nothing is proved
+/// here that tools/check_certificate.py does not prove. What is false is never proved.
 PHRAME_API std::vector<Statement> verify(const Certificate& certificate);
 
 }  // namespace phrame

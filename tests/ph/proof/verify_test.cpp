@@ -60,7 +60,7 @@ TEST_CASE("certificate: all curves up to preimage degree 4, both frames, through
       if (reference == Reference::frenet && is_line(named.curve)) continue;
       const Certificate c = certificate(named.curve, reference);
       const std::string text = write_certificate(c, named.name);
-      CHECK(read_certificate(text) == c);
+      CHECK(read_certificate(text).certificate == c);
       check_proved(c);
       ++proved;
     }
@@ -137,7 +137,7 @@ TEST_CASE("certificate: law: random curves are proved, many or few digits") {
         is_line(curve) || random.chance(2) ? Reference::euler_rodrigues : Reference::frenet;
     const Certificate c =
         certify(curve, reference, {random.rational(), random.rational()}, random.integer(1, 120));
-    CHECK(read_certificate(write_certificate(c, "")) == c);
+    CHECK(read_certificate(write_certificate(c, "")).certificate == c);
     check_proved(c);
   });
 }
@@ -317,4 +317,53 @@ TEST_CASE("verify: another witness is as good, a wrong one is none") {
   c.decisions.helix.reset();
   c.decisions.double_ph.reset();
   CHECK(not_proved(c).size() == 2);
+}
+
+// Newton's step proves a root in a disc d times as narrow as the law of docs/certificate.md asks
+// for, and a wide disc has the root where the step proves nothing.
+TEST_CASE("verify: discs have the radii that the law asks for, or greater ones") {
+  const Certificate good = certificate(farouki_quintic().curve, Reference::euler_rodrigues);
+  const auto roots_proved = [](const Certificate& c) { return verify(c).at(3).is_proved(); };
+  const RootDisc& disc = good.logs.at(0).roots.at(0);
+  const Polynomial& q = good.logs[0].index;
+  const auto found = radius_of_root(q, disc.center, good.bits);
+  REQUIRE(found);
+  const Integer& least = *found;
+  CHECK(least == disc.radius);
+  Certificate c = good;
+  c.logs[0].roots[0].radius = least - 1;
+  CHECK_FALSE(roots_proved(c));
+  // The roots are −0.2 … 1.2 ± 0.4i, and 0.9 apart.
+  c.logs[0].roots[0].radius = disc.center.im - 1;
+  CHECK(roots_proved(c));
+}
+
+TEST_CASE("verify: claims and the lack of a rational frame rest on the discs") {
+  Certificate c = certificate(farouki_quintic().curve, Reference::euler_rodrigues);
+  // The residues are known to within 1, the angle is not.
+  for (RootDisc& disc : c.logs.at(0).roots)
+    disc.residue_radius = Integer(1) << static_cast<unsigned long>(c.bits);
+  const auto objections = not_proved(c);
+  CHECK(std::count(objections.begin(), objections.end(), "theta: the discs are too large") == 3);
+  CHECK(objections.back() == "decision rrmf: no: no disc shows a residue outside iZ");
+  CHECK(objections.size() == 4);
+}
+
+TEST_CASE("verify: 1200 digits, next to a cusp, too") {
+  const Rational e = phrame::power_of_ten(-20);
+  const Curve curve({{Rational(-1, 2) + 3 * e, 1}, {-2 * e, 3}, {e, -1}, {4 * e, 2}});
+  check_proved(certify(curve, Reference::euler_rodrigues, {1}, 1200));
+  check_proved(certify(curve, Reference::frenet, {1}, 1200));
+}
+
+TEST_CASE("verify: an interval whose end is a zero isolates none") {
+  Certificate c = certificate(farouki_quintic().curve, Reference::euler_rodrigues);
+  StatedPoint& point = c.decisions.zeros_of_h.at(0);
+  const Rational at = -point.polynomial.coefficient(0) / point.polynomial.coefficient(1);
+  REQUIRE(point.polynomial.degree() == 1);
+  point.polynomial *= Polynomial{-5, 1};
+  point.interval = open(at - 1, 5);
+  CHECK(not_proved(c).size() == 1);
+  point.interval = open(at - 1, 4);
+  check_proved(c);
 }

@@ -1,0 +1,182 @@
+"""Both checkers accept the same files: certificates are changed at random, and what tools/check_certificate.py and
+`phrame verify` say of each is compared: no certificate (exit status 2), all is proved (0), or not (1).
+
+    PHRAME_PROGRAM=build/dev/bin/phrame tests/certificates/differential.py [--number N] [--seed S] [--keep DIR]
+"""
+import argparse
+import copy
+import importlib.util
+import io
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+spec = importlib.util.spec_from_file_location("check_certificate", ROOT / "tools" / "check_certificate.py")
+checker = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(checker)
+
+QUINTIC = {"u": ["2", "-4", "4"], "v": ["1", "0", "-1"], "p": ["0", "-4", "4"], "q": ["1", "2", "-2"]}
+CURVES = [  # preimage, multiplier, frame
+    (QUINTIC, ["1"], "erf"), (QUINTIC, ["-1", "2", "1"], "frenet"),
+    ({"u": ["1"], "v": ["0", "1"], "p": ["0", "1"], "q": ["0"]}, ["1"], "frenet"),
+    ({"u": ["1"], "v": ["0"], "p": ["0"], "q": ["1", "3", "1"]}, ["1"], "frenet"),
+    ({"u": ["1", "2"], "v": ["0"], "p": ["0"], "q": ["0"]}, ["1/3", "1"], "erf"),
+    ({"u": ["0", "0", "1"], "v": ["0", "1"], "p": ["0", "1"], "q": ["1"]}, ["1"], "erf"),
+    ({"u": ["1", "0", "-6"], "v": ["0", "4", "3"], "p": ["0", "-2", "-12"], "q": ["0", "6", "-4"]}, ["1"], "erf")]
+TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
+         "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "1/" + "7" * 200]
+VALUES = [None, True, False, 0, 1, -1, 2, 1000000, 1000001, 10 ** 30, 0.5, 1e5, [], {}, [[]], ["1"], ["0"], ["1", "1"], ["0", "0", "1"],
+          {"re": [], "im": []}, {"answer": True}, {"answer": False}, *TEXTS]
+BYTES = [b"\xff", b"\x00", b"\xef\xbb\xbf", b"\\ud800", b"\\u0031", b" ", b"\n", b",", b"]", b"}", b'"', b"1", b"-", b"e5", b"NaN", b"//"]
+
+
+def honest():
+    """Certificates of many kinds of curves."""
+    for preimage, multiplier, frame in CURVES:
+        curve = {"phrame": "curve/1", "name": "c", "basis": "power", "preimage": preimage, "multiplier": multiplier}
+        for at, digits in (("1/3,1", "12"), ("1", "40")):
+            run = subprocess.run([PROGRAM, "certify", "-", "--at", at, "--digits", digits, "--frame", frame],
+                                 input=json.dumps(curve), capture_output=True, text=True, check=True)
+            yield json.loads(run.stdout)
+
+
+def places(value, path=()):
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from places(item, path + (key,))
+
+
+def put(value, path, new):
+    for key in path[:-1]:
+        value = value[key]
+    value[path[-1]] = new
+
+
+def at(value, path):
+    for key in path:
+        value = value[key]
+    return value
+
+
+def changed_text(text, chance):
+    k = chance.randrange(len(text) + 1)
+    kind = chance.randrange(4)
+    if kind == 0 and re.search("[0-9]", text):
+        k = chance.choice([m.start() for m in re.finditer("[0-9]", text)])
+        return text[:k] + chance.choice("0123456789") + text[k + 1:]
+    if kind == 1:
+        return text[1:] if text.startswith("-") else "-" + text
+    if kind == 2:
+        return text[:k] + chance.choice("0123456789/.-+e ") + text[k:]
+    return text[:k] + text[k + 1:]
+
+
+def change(certificate, chance):
+    """One change, in place."""
+    path = chance.choice([p for p in places(certificate) if p])
+    value, kind = at(certificate, path), chance.randrange(6)
+    if kind < 3 and isinstance(value, str):
+        return put(certificate, path, changed_text(value, chance))
+    if kind < 3 and type(value) is int:
+        return put(certificate, path, value + chance.choice([-2, -1, 1, 2, 100]))
+    if kind < 3 and isinstance(value, list) and value:
+        k = chance.randrange(len(value))
+        what = chance.randrange(4)
+        if what == 0:
+            return value.pop(k)
+        if what == 1:
+            return value.insert(k, copy.deepcopy(value[k]))
+        if what == 2:
+            return value.append(chance.choice(VALUES))
+        i = chance.randrange(len(value))
+        value[i], value[k] = value[k], value[i]
+        return None
+    if kind == 3 and isinstance(value, dict) and value:
+        if chance.random() < 0.5:
+            return value.pop(chance.choice(list(value)))
+        return value.update({chance.choice(["x", "note", "name", "start", "turn", "bend", "answer"]): chance.choice(VALUES)})
+    if kind == 4:  # something from elsewhere
+        other = chance.choice([p for p in places(certificate) if p])
+        return put(certificate, path, copy.deepcopy(at(certificate, other)))
+    return put(certificate, path, copy.deepcopy(chance.choice(VALUES)))
+
+
+def candidate(originals, chance):
+    certificate = copy.deepcopy(chance.choice(originals))
+    for _ in range(chance.choice([1, 1, 1, 2, 3])):
+        change(certificate, chance)
+    data = json.dumps(certificate, ensure_ascii=False).encode("utf-8")
+    if chance.random() < 0.1:  # broken JSON, mostly
+        k = chance.randrange(len(data))
+        data = data[:k] + chance.choice(BYTES) + data[k + chance.randrange(2):]
+    if chance.random() < 0.02:  # a key twice
+        data = data.replace(b'"bits"', b'"h": [], "bits"', 1)
+    return data
+
+
+def by_script(paths):
+    options = argparse.Namespace(quiet=False, curve=None, max_degree=checker.MAX_DEGREE, unlimited=False, files=[])
+    found = []
+    for path in paths:
+        out = io.StringIO()
+        with redirect_stdout(out), redirect_stderr(out):
+            status = checker.check(str(path), options)
+        found.append((status, out.getvalue()))
+    return found
+
+
+def by_program(paths):
+    found = []
+    for path in paths:
+        run = subprocess.run([PROGRAM, "verify", str(path)], capture_output=True, text=True)
+        found.append((run.returncode, run.stdout + run.stderr))
+    return found
+
+
+def statements(text):
+    """The statements, without the reasons why some are not proved."""
+    return [re.sub(r"^not proved  (decision \w+: \w+|\|theta.*?\| <= [^:]*|[^:]*):.*", r"\1", line).replace("proved      ", "", 1)
+            for line in text.splitlines() if line.startswith(("proved", "not proved"))]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--number", type=int, default=400)
+    parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--keep", metavar="DIR", help="where files about which they differ are put")
+    options = parser.parse_args()
+    if hasattr(sys, "set_int_max_str_digits"):
+        sys.set_int_max_str_digits(0)
+    originals, seen, differ = list(honest()), {0: 0, 1: 0, 2: 0}, 0
+    with tempfile.TemporaryDirectory() as folder:
+        for number in range(options.number):
+            chance = random.Random(options.seed * 10 ** 9 + number)  # so that one can be tried again
+            path = Path(options.keep or folder) / ("%d.cert" % number)
+            path.write_bytes(candidate(originals, chance))
+            (mine, told), (other, said) = by_script([path])[0], by_program([path])[0]
+            seen[mine] = seen.get(mine, 0) + 1
+            if mine == other and (mine == 2 or statements(told) == statements(said)):
+                path.unlink()
+                continue
+            differ += 1
+            print("%d: the script %s, verify %s\n%s\n%s" % (number, mine, other,
+                  [line for line in told.splitlines() if not line.startswith("proved")],
+                  [line for line in said.splitlines() if not line.startswith("proved")]))
+    print("%d certificates, by the script %d proved, %d not proved, %d refused; %d differ"
+          % (options.number, seen[0], seen[1], seen[2], differ))
+    if differ or options.number >= 400 and min(seen[0], seen[1], seen[2]) < 20:
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

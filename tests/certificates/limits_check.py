@@ -1,0 +1,175 @@
+"""Certificates of up to 100 kB made to take long: both checkers decide or refuse each, within the memory that docs/certificate.md
+promises and, since machines differ, some times the seconds; PHRAME_LIMITS=print shows what they take.
+"""
+import copy
+import json
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from math import comb
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+SECONDS, MEMORY = 30, 500 << 20
+CHANCE = random.Random(40)
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
+
+
+def product(a, b):
+    c = [0] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            c[i + j] += x * y
+    return c
+
+
+def texts(numbers):
+    return [str(x) for x in numbers]
+
+
+def some(n, most=9):
+    return [CHANCE.randint(-most, most) for _ in range(n)]
+
+
+def curve(preimage, multiplier=(1,)):
+    return {"phrame": "curve/1", "basis": "power", "preimage": {key: texts(c) for key, c in zip("uvpq", preimage)},
+            "multiplier": texts(multiplier)}
+
+
+def certified(a_curve, *options):
+    run = subprocess.run([PROGRAM, "certify", "-", *options], input=json.dumps(a_curve), capture_output=True, text=True, check=True)
+    return run.stdout
+
+
+def mignotte(n, size):
+    """t^n - 2 (size t - 1)^2: two zeros are as close to each other as can be."""
+    c = [0] * (n + 1)
+    c[0], c[1], c[2] = -2, 4 * size, -2 * size * size
+    c[n] += 1
+    return c
+
+
+BASE = json.loads(certified(curve([some(3) for _ in range(4)]), "--at", "1/2,1", "--digits", "20", "--frame", "frenet"))
+
+
+def changed(change):
+    c = copy.deepcopy(BASE)
+    change(c)
+    return json.dumps(c)
+
+
+def at_point(t):
+    return lambda c: c["decisions"]["regular"].update(answer=False, cusps=[{"t": t, "order": 1}])
+
+
+def all_claims(**values):
+    return lambda c: [claim.update(values) for claim in c["claims"]]
+
+
+def cusps(n):
+    """Points that are zeros of one polynomial of degree n - 1, all of them stated."""
+    f = [1]
+    for k in range(1, n):
+        f = product(f, [-k, n])
+
+    def change(c):
+        c["curve"] = curve([[1]] * 4, f)
+        c["decisions"]["regular"] = {"answer": False, "cusps": [
+            {"t": {"polynomial": texts(f), "interval": ["%d/%d" % (2 * k - 1, 2 * n), "%d/%d" % (2 * k + 1, 2 * n)]}, "order": 1}
+            for k in range(1, n)]}
+    return change
+
+
+def bad():
+    """(name, text)."""
+    logs = ("antiderivative", "logs", 0)
+    far, big = "1" + "0" * 3000, CHANCE.randrange(10 ** 4000)
+
+    def set_at(path, value):
+        def change(c):
+            for key in path[:-1]:
+                c = c[key]
+            c[path[-1]] = value
+        return change
+    one = [[1], [0, 1], [1], [2]]
+    changes = {
+        "dense sigma": set_at(["sigma"], ["1"] * 20000),
+        "sigma of exponents": set_at(["sigma"], ["1e100000"] * 5000),
+        "sigma of long numbers": set_at(["sigma"], [str(10 ** 18000 + k) for k in range(5)]),
+        "dense index": set_at([*logs, "index"], ["1"] * 20000),
+        "long residue": set_at([*logs, "residue"], ["1/" + "3" * 20000] * 4),
+        "dense rational part": set_at(["antiderivative", "rational"], {"numerator": ["1"] * 9000, "denominator": ["3"] * 9000}),
+        "radius 1e-9800": all_claims(radius="1e-9800"),
+        "radius 1e-30000": all_claims(radius="1e-30000"),
+        "radius 1e-1500": all_claims(radius="1e-1500"),
+        "theta of 30000 digits": all_claims(theta="0." + "3" * 30000),
+        "long t": all_claims(t="1/3" + "7" * 20000),
+        "t of 2000 digits": all_claims(t="1/3" + "7" * 2000),
+        "many claims": lambda c: c.update(claims=[dict(c["claims"][0], radius="1e-200", t="1/%d" % k) for k in range(2, 600)]),
+        "close zeros, exponents": at_point({"polynomial": ["-1", "1e50000"], "interval": ["0", "1"]}),
+        "close zeros": at_point({"polynomial": ["9" * 30000, "-2" + "0" * 30000, "1" + "0" * 30000], "interval": ["0", "2"]}),
+        "close zeros of degree 8": at_point({"polynomial": texts(mignotte(8, 10 ** 3000)), "interval": ["0", "1"]}),
+        "long interval": at_point({"polynomial": ["-1", "0", "0", "0", "0", "0", "7"], "interval": ["1/" + "7" * 15000, "2"]}),
+        "modulus": set_at(["rate", "coprime_modulo"], "1" + "0" * 60000 + "1"),
+        "bits": set_at(["bits"], 1000000),
+        "direction": set_at(["decisions", "line"], {"answer": True, "direction": ["1/" + "7" * 30000, "2", "3"]}),
+        "denominators": set_at(["rate", "numerator"], ["1/%d" % CHANCE.randrange(10 ** 900) for _ in range(10)]),
+        "cusps": cusps(24), "nesting": set_at(["sigma"], eval("[" * 90 + "]" * 90))}
+    curves = {
+        "degree 1001": curve([some(501) for _ in range(4)]), "multiplier of degree 900": curve(one, [1] * 901),
+        "preimage of degree 80": curve([some(81) for _ in range(4)]),
+        "(t - 1)^60": curve(one, [comb(60, k) * (-1) ** k for k in range(61)]),
+        "(t - 1)^500": curve(one, [comb(500, k) * (-1) ** k for k in range(501)]),
+        "a common factor": curve([product(some(11), some(11, 10 ** 20))] * 4), "long coefficients": curve([some(3, big) for _ in range(4)]),
+        "many denominators": curve([[Fraction(1, CHANCE.randrange(10 ** 60)) for _ in range(20)] for _ in range(4)]),
+        "close zeros of degree 4": curve(one, mignotte(4, int(far))), "close zeros of degree 40": curve(one, mignotte(40, 10 ** 100))}
+    yield from ((name, changed(change)) for name, change in changes.items())
+    yield from (("curve: " + name, changed(set_at(["curve"], c))) for name, c in curves.items())
+    honest = {  # all that is in them is true
+        "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
+        "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
+        "a common factor": curve([product(some(4), [3, 1, 2, 5])] * 2 + [product(some(4), [3, 1, 2, 5])] * 2),
+        "degree 41": curve([some(21) for _ in range(4)]), "degree 25, 15 digits": curve([some(13, 10 ** 15) for _ in range(4)])}
+    for name, c in honest.items():
+        for frame in ("erf", "frenet"):
+            yield "%s, %s" % (name, frame), certified(c, "--frame", frame, "--at", "1/3,1")
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    if "asan" not in os.environ.get("PHRAME_PRESET", ""):
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def main():
+    wrong, number, longest = [], 0, {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in bad():
+            path = Path(folder) / "bad.cert"
+            path.write_text(text)
+            results = []
+            for command in ([sys.executable, "-B", str(ROOT / "tools" / "check_certificate.py"), str(path)], [PROGRAM, "verify", str(path)]):
+                start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                run = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit)
+                seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - start
+                results.append((run.returncode, seconds, (run.stdout + run.stderr).strip().splitlines()[-1:]))
+            number += 1
+            if os.environ.get("PHRAME_LIMITS") == "print":
+                print("%-40s %6d bytes, script: %s in %.2f s, verify: %s in %.2f s %s" % (
+                    name, len(text), results[0][0], results[0][1], results[1][0], results[1][1], str(results[0][2])[:110]), flush=True)
+            (mine, _, told), (other, _, said) = results
+            if mine not in (0, 1, 2) or mine != other or len(text) > 110000 or "Traceback" in str(told):
+                wrong.append("%s: the script %s %s, verify %s %s" % (name, mine, told, other, said))
+    print("%d certificates" % number)
+    if wrong:
+        sys.exit("\n".join(wrong))
+
+
+if __name__ == "__main__":
+    main()
