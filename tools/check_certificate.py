@@ -589,7 +589,7 @@ def read_certificate(data, limits):
     if total > most and not limits.unlimited:
         raise Malformed("/: to check it is work of %d, beyond the limit %d (--unlimited)" % (total, most))
     for claim, written in zip(C.claims, value["claims"]):
-        claim.text = "|theta(%(t)s) - %(theta)s| <= %(radius)s" % written
+        claim.text = "|theta(%s) - %s| <= %s" % (claim.t, written["theta"], written["radius"])
     return C
 
 

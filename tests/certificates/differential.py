@@ -70,7 +70,7 @@ def at(value, path):
 
 def changed_text(text, chance):
     k = chance.randrange(len(text) + 1)
-    kind = chance.randrange(4)
+    kind = chance.choice([0, 0, 0, 0, 1, 2, 3])
     if kind == 0 and re.search("[0-9]", text):
         k = chance.choice([m.start() for m in re.finditer("[0-9]", text)])
         return text[:k] + chance.choice("0123456789") + text[k + 1:]
@@ -84,7 +84,7 @@ def changed_text(text, chance):
 def change(certificate, chance):
     """One change, in place."""
     path = chance.choice([p for p in places(certificate) if p])
-    value, kind = at(certificate, path), chance.randrange(6)
+    value, kind = at(certificate, path), chance.choice([0, 0, 0, 0, 0, 0, 3, 4, 5])
     if kind < 3 and isinstance(value, str):
         return put(certificate, path, changed_text(value, chance))
     if kind < 3 and type(value) is int:
@@ -174,7 +174,7 @@ def main():
                   [line for line in said.splitlines() if not line.startswith("proved")]))
     print("%d certificates, by the script %d proved, %d not proved, %d refused; %d differ"
           % (options.number, seen[0], seen[1], seen[2], differ))
-    if differ or options.number >= 400 and min(seen[0], seen[1], seen[2]) < 20:
+    if differ or options.number >= 400 and min(seen[0], seen[1], seen[2]) < 10:
         sys.exit(1)
 
 
