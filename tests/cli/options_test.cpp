@@ -125,13 +125,14 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--roll", "t/3"},
                                                 {"--roll-column", "bank"},
                                                 {"--pick", "left"},
-                                                {"--nearest", "1,2,3"}};
+                                                {"--nearest", "1,2,3"},
+                                                {"--curve", "quintic.json"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.
 const std::set<std::string> neutral{
-    "--max-degree", "--max-corner",     "--gap",     "--output",     "--threads",
-    "--skip-done",  "--help",           "--version", "--route",      "--var",
-    "--full",       "--skip-undefined", "--near",    "--time-limit", "--skip-invalid"};
+    "--max-degree", "--max-corner", "--gap",          "--output",   "--threads", "--skip-done",
+    "--help",       "--version",    "--route",        "--var",      "--full",    "--skip-undefined",
+    "--near",       "--time-limit", "--skip-invalid", "--unlimited"};
 
 /// All ways to give the options of a command, but the neutral ones.
 std::vector<Given> given(const Json& command) {
