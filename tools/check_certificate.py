@@ -999,7 +999,8 @@ def check(name, options):
         print("%s:" % name)
     if not options.quiet:
         curve = proof.C.curve
-        print("curve       %s" % (getattr(curve, "name", "") or "without a name"))
+        name = "".join(c if c.isprintable() else "?" for c in getattr(curve, "name", ""))  # no line of its own
+        print("curve       %s" % (name or "without a name"))
         print("sha256      %s" % hash_of(proof.hodograph, getattr(curve, "start", [0, 0, 0])))
         print("frame       %s" % proof.C.frame)
     for is_proved, line in lines:

@@ -50,11 +50,12 @@ void run(VerifyOptions& options) {
   if (options.curve)
     statements.push_back(check_curve(certificate, *options.curve, options.limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
+  constexpr std::size_t longest_name = 200;
   options.length.write(
       options.output,
       fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
-                  name.empty() ? "without a name" : name, sha256(exact_form(certificate.curve)),
-                  name_of(certificate.reference)) +
+                  name.empty() ? "without a name" : abbreviated(name, longest_name),
+                  sha256(exact_form(certificate.curve)), name_of(certificate.reference)) +
           to_text(statements));
   if (!std::all_of(statements.begin(), statements.end(),
                    [](const Statement& statement) { return statement.is_proved(); }))

@@ -126,28 +126,42 @@ class CertificateReader {
       : most_(limits.max_degree + 1) {
     curve.require_known_keys(
         {"phrame", "name", "note", "basis", "start", "preimage", "multiplier"});
+    if (const JsonNode format = curve.at("phrame"); format.string() != "curve/1")
+      format.fail("the format is \"curve/1\"");
     for (const char* remark : {"name", "note"})
       if (const auto text = curve.find(remark)) text->string();
+    if (const auto name = curve.find("name")) name_ = name->string();
     if (const JsonNode basis = curve.at("basis"); basis.string() != "power")
       basis.fail(fmt::format("the basis is \"power\", not \"{}\"", abbreviated(basis.string())));
-    if (const auto start = curve.find("start")) vector(*start);
+    Vector<Rational> start{};
+    if (const auto point = curve.find("start")) start = vector(*point);
     std::size_t m = 0;
-    std::size_t f = 0;
     const JsonNode preimage = curve.at("preimage");
-    for (const char* key : {"u", "v", "p", "q"}) {
-      const JsonNode list = preimage.at(key);
-      bits_ = std::max(bits_, written_bits(polynomial(list)));
+    preimage.require_known_keys({"u", "v", "p", "q"});
+    const auto part = [&](const JsonNode& list, std::size_t& longest) {
+      Polynomial p = polynomial(list);
       if (list.size() == 0) list.fail("the list of coefficients is empty");
-      m = std::max(m, list.size() - 1);
-    }
-    if (const auto list = curve.find("multiplier")) {
-      bits_ = std::max(bits_, written_bits(polynomial(*list)));
-      if (list->size() == 0) list->fail("the list of coefficients is empty");
-      f = list->size() - 1;
-    }
+      longest = std::max(longest, list.size() - 1);
+      bits_ = std::max(bits_, written_bits(p));
+      return p;
+    };
+    QuaternionPolynomial a{part(preimage.at("u"), m), part(preimage.at("v"), m),
+                           part(preimage.at("p"), m), part(preimage.at("q"), m)};
+    if (is_zero(a)) preimage.fail("the preimage is zero, so the curve is a single point");
+    std::size_t f = 0;
+    Polynomial multiplier{1};
+    if (const auto list = curve.find("multiplier")) multiplier = part(*list, f);
+    if (multiplier.is_zero()) curve.fail("the multiplier is zero, so the curve is a single point");
+    curve_ = Curve(std::move(a), std::move(multiplier), std::move(start));
+    if (degree(*curve_) > limits.max_degree)
+      curve.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
+                             degree(*curve_), limits.max_degree));
     longest_ = static_cast<long>(4 * m + 2 * f + 2);
     most_ = longest_ + 1;
   }
+
+  const Curve& curve() const { return *curve_; }
+  const std::string& name() const { return name_; }
 
   Integer integer(const JsonNode& node) {
     const Rational x = exact(node);
@@ -296,6 +310,8 @@ class CertificateReader {
     return {std::move(w), open_interval(ends[0], ends[1]), order};
   }
 
+  std::string name_;
+  std::optional<Curve> curve_;
   long most_;         ///< coefficients in a list
   long longest_ = 0;  ///< D of the page
   long bits_ = 1;     ///< of the curve
@@ -371,7 +387,6 @@ NamedCertificate read_certificate(std::string_view text, const CertificateLimits
   node.require_known_keys(keys);
   const JsonNode curve = node.at("curve");
   CertificateReader read(curve, limits.curve);
-  NamedCurve named = read_curve(curve, limits.curve);
   const JsonNode rate = node.at("rate");
   rate.require_known_keys({"numerator", "denominator", "common", "coprime_modulo"});
   const JsonNode antiderivative = node.at("antiderivative");
@@ -384,7 +399,7 @@ NamedCertificate read_certificate(std::string_view text, const CertificateLimits
     node.at("hodograph").fail(fmt::format("3 polynomials are wanted, not {}", hodograph.size()));
   const long bits = read_count(node.at("bits"), 0, most_count);
   // In a list the order of evaluation is that of its items: the logs before the claims.
-  Certificate c{std::move(named.curve),
+  Certificate c{read.curve(),
                 reference,
                 {hodograph[0], hodograph[1], hodograph[2]},
                 polynomial(node.at("sigma")),
@@ -411,7 +426,7 @@ NamedCertificate read_certificate(std::string_view text, const CertificateLimits
   if (const Integer work = read.work(is_frenet); limits.is_limited && work > most)
     node.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
                           work.str(), most.str()));
-  return {std::move(named.name), std::move(c)};
+  return {read.name(), std::move(c)};
 }
 
 }  // namespace phrame
