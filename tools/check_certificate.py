@@ -21,7 +21,7 @@ from types import SimpleNamespace
 
 MAX_EXPONENT, MAX_COUNT, MAX_LENGTH = 10000, 1000000, 100000  # of decimals, of counts, of the text of a number
 MAX_DEGREE, MAX_WORK, FULL_SIZE = 1001, 2000000000, 100000  # of the curve; as the page says; bytes
-MAX_ZEROS = 20000000000  # the work of counting zeros, about a nanosecond each ten
+MAX_ZEROS = 20000000000  # the work of counting zeros, ten of it about a nanosecond
 PRIMES = [(1 << 127) - 1]  # for gcds; the next ones are found as they are needed
 TAKEN = SimpleNamespace(volume=0, zeros=0)  # of this file: what was read, and the work of counting zeros
 ROOT_BITS, FINE = 256, 64  # square roots keep 128 bits; distances get 64 bits more than the grid
@@ -749,7 +749,7 @@ class Proof:
         return self.lines
 
     def is_of(self, hodograph, start, A):
-        """The curve is that of a file. The Euler-Rodrigues frames are the same but for a constant turn if h/sigma is."""
+        """The curve is that of a file. Euler-Rodrigues frames are the same but for a constant turn if h/sigma is."""
         own = getattr(self.C.curve, "start", [0, 0, 0])
         require(hodograph == self.hodograph and start == own,
                 "that one has sha256 %s" % hash_of(hodograph, start))
@@ -1017,12 +1017,14 @@ def main():
         sys.set_int_max_str_digits(0)
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
-    parser.add_argument("--curve", metavar="FILE", help="the curve it must be of: a curve/1 with a preimage or control points")
+    parser.add_argument("--curve", metavar="FILE",
+                        help="the curve it must be of: a curve/1 with a preimage or control points")
     parser.add_argument("-q", "--quiet", action="store_true",
                         help="print only what is not proved, and the last line")
     parser.add_argument("--max-degree", type=int, default=MAX_DEGREE, metavar="N",
                         help="of the curve, else the file is refused (default %d)" % MAX_DEGREE)
-    parser.add_argument("--unlimited", action="store_true", help="check it even if that takes longer than the page promises")
+    parser.add_argument("--unlimited", action="store_true",
+                        help="check it even if that takes longer than the page promises")
     options = parser.parse_args()
     sys.stdout.reconfigure(errors="backslashreplace")
     sys.exit(max(check(name, options) for name in options.files))
