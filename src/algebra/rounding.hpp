@@ -35,7 +35,7 @@ PHRAME_API std::optional<double> common_double(const RealBall& x);
 /// x as the nearest double and what is left of it, off by about 2^−106·|x|; the error is infinite
 /// where x is beyond the range of doubles. Fractions of integers of up to 53 bits take some
 /// nanoseconds.
-NearNumber near_number(const Rational& x);
+PHRAME_API NearNumber near_number(const Rational& x);
 
 /// To the precision of the initialised `target`. (multiprecision.hpp has this for Boost's
 /// mpfr_float.)

@@ -46,8 +46,8 @@ struct AngleValue {
 };
 
 /// θ there, which theta(what) rounds: "theta at t = 1/2".
-AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
-                       const std::function<Decimal(const std::string& what)>& theta);
+PHRAME_API AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
+                                  const std::function<Decimal(const std::string& what)>& theta);
 
 /// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {

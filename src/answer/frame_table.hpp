@@ -103,7 +103,7 @@ PHRAME_API FrameTable frame_table(const PathAngle& angle, const TableColumns& co
 
 class FrameRows;
 /// The table of all of these rows.
-FrameTable frame_table(FrameRows& rows);
+PHRAME_API FrameTable frame_table(FrameRows& rows);
 
 /// The same of a PH curve, by the angle to its Euler–Rodrigues frame.
 PHRAME_API FrameTable frame_table(const Curve& curve, const TableColumns& columns,

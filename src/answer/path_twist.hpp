@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/angle.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 
@@ -42,6 +43,6 @@ struct PathTwistAnswer {
 
 /// Throws DomainError for a path without orientations, and as PathTwist; Undecided where a number
 /// cannot be rounded.
-PathTwistAnswer answer(const NamedPath& path, const PathTwistQuery& query);
+PHRAME_API PathTwistAnswer answer(const NamedPath& path, const PathTwistQuery& query);
 
 }  // namespace phrame

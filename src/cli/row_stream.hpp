@@ -1,6 +1,6 @@
 #pragma once
 #include "phrame/answer/frame_rows.hpp"
-#include "phrame/io/write/frame_table.hpp"
+#include "phrame/io/write/row_format.hpp"
 
 namespace phrame::cli {
 

@@ -30,12 +30,13 @@ PHRAME_API std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, 
 
 /// The least r with d·|q(z)| ≤ r·|q′(z)|, so that q, of degree d ≥ 1, has a root within r of the
 /// center z; none where q′(z) = 0.
-std::optional<Integer> radius_of_root(const Polynomial& q, const GaussianInteger& center,
-                                      long bits);
+PHRAME_API std::optional<Integer> radius_of_root(const Polynomial& q, const GaussianInteger& center,
+                                                 long bits);
 
 /// Is the residue of n/q at each root in the disc within `residue_radius` of `residue`, by the law
 /// of docs/certificate.md?
-bool holds_residue(const Polynomial& q, const Polynomial& n, const RootDisc& disc, long bits);
+PHRAME_API bool holds_residue(const Polynomial& q, const Polynomial& n, const RootDisc& disc,
+                              long bits);
 
 /// What Σ c(z)·log((t − z)/(−z)) over all roots may be off, with their discs, where |t| ≤ reach.
 PHRAME_API Rational log_error(const std::vector<RootDisc>& discs, long bits, const Rational& reach);

@@ -22,10 +22,19 @@ double random_end(Random& random) {
   return random.chance(4) ? std::ldexp(x, static_cast<int>(random.integer(-700, 700))) : x;
 }
 
+/// Polynomials that are 0.
+std::optional<PolynomialPiece> zero_piece(double low, double high) {
+  auto piece = empty_piece(low, high);
+  if (piece) piece->coefficients.assign(static_cast<std::size_t>(plain_shape(1).size()), 0);
+  return piece;
+}
+
 /// Pieces that are narrow near a point, as those of a curve with a near-cusp are.
 PiecewisePolynomial narrow_near(double point, double share, double from, double to) {
   return {from, to, plain_shape(1), [=](double low, double high) {
-            auto piece = empty_piece(low, high);
+            auto piece = zero_piece(low, high);
+            if (piece)
+              piece->coefficients.assign(static_cast<std::size_t>(plain_shape(1).size()), 0);
             const double distance = std::max({low - point, point - high, 1e-6 * (to - from)});
             return piece && high - low <= distance * share ? piece : std::nullopt;
           }};
@@ -77,28 +86,28 @@ TEST_CASE(
 
 TEST_CASE("piecewise polynomial: the limit is one of each interval, and many are no matter") {
   const std::size_t most = PiecewisePolynomial::max_pieces;
-  const auto whole = [](double low, double high) { return empty_piece(low, high); };
+  const auto whole = [](double low, double high) { return zero_piece(low, high); };
   CHECK(PiecewisePolynomial::on_units(4 * most, plain_shape(1), whole).pieces().size() == 4 * most);
   // The interval [1, 2] of three needs too many.
   const auto narrow = [](double low, double high) {
-    return 1 <= low && high <= 2 && high - low > 1e-5 ? std::nullopt : empty_piece(low, high);
+    return 1 <= low && high <= 2 && high - low > 1e-5 ? std::nullopt : zero_piece(low, high);
   };
   CHECK_THROWS_WITH_AS(PiecewisePolynomial::on_units(3, plain_shape(1), narrow),
                        doctest::Contains("more than 20000 pieces"), Undecided);
   const auto coarser = [](double low, double high) {
-    return 1 <= low && high <= 2 && high - low > 1e-4 ? std::nullopt : empty_piece(low, high);
+    return 1 <= low && high <= 2 && high - low > 1e-4 ? std::nullopt : zero_piece(low, high);
   };
   CHECK(PiecewisePolynomial::on_units(3, plain_shape(1), coarser).pieces().size() == 2 + 16384);
   // Together they may need more than one may.
   const auto even = [](double low, double high) {
-    return high - low > 1e-4 ? std::nullopt : empty_piece(low, high);
+    return high - low > 1e-4 ? std::nullopt : zero_piece(low, high);
   };
   CHECK(PiecewisePolynomial::on_units(3, plain_shape(1), even).pieces().size() == 3 * 16384);
 }
 
 TEST_CASE("piecewise polynomial: most doubles of an even division need one comparison") {
   const PiecewisePolynomial p(0, 1, plain_shape(1), [](double low, double high) {
-    return high - low > 1.0 / 64 ? std::nullopt : empty_piece(low, high);
+    return high - low > 1.0 / 64 ? std::nullopt : zero_piece(low, high);
   });
   REQUIRE(p.pieces().size() == 64);
   // y takes up all of [−1, 1].
@@ -122,7 +131,7 @@ TEST_CASE("piecewise polynomial: law: on_piece is p at the t of y, as exact as a
     const Polynomial p = random.polynomial(12);
     double from = std::abs(random_end(random));
     if (from > 1e3 || from < 1e-3) from = 0.5;
-    auto piece = empty_piece(from, from * (1 + 1.0 / static_cast<double>(random.integer(1, 1000))));
+    auto piece = zero_piece(from, from * (1 + 1.0 / static_cast<double>(random.integer(1, 1000))));
     REQUIRE(piece.has_value());
     const BallPolynomial q = on_piece(p, *piece, 100);
     const Rational y(random.integer(-7, 7), 7);
@@ -142,7 +151,7 @@ TEST_CASE("piecewise polynomial: law: on_piece is p at the t of y, as exact as a
   });
   // 1e-200 of 1 is left of this one.
   const Polynomial nearly_zero = pow(Polynomial{-1, 2}, 2) + Polynomial{parse_rational("1e-200")};
-  const auto piece = empty_piece(0.25, 0.75);
+  const auto piece = zero_piece(0.25, 0.75);
   CHECK(on_piece(nearly_zero, *piece, 100, true).coefficient(0).accuracy_bits() >= 100);
   CHECK(sign(on_piece(Polynomial{-1, 2}, *piece, 100, true).coefficient(0)) == 0);
 }

@@ -65,9 +65,9 @@ PHRAME_API std::string to_json(const MinimalTwistAnswer& answer);
 PHRAME_API std::string to_latex(const MinimalTwistAnswer& answer);
 /// @}
 /// @{ twist-through/1.
-std::string to_text(const PathTwistAnswer& answer);
-std::string to_json(const PathTwistAnswer& answer);
-std::string to_latex(const PathTwistAnswer& answer);
+PHRAME_API std::string to_text(const PathTwistAnswer& answer);
+PHRAME_API std::string to_json(const PathTwistAnswer& answer);
+PHRAME_API std::string to_latex(const PathTwistAnswer& answer);
 /// @}
 /// @{ wronskian/1.
 PHRAME_API std::string to_text(const WronskianAnswer& answer);

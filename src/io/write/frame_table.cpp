@@ -8,6 +8,7 @@
 
 #include "phrame/io/write/frame_start.hpp"
 #include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/row_format.hpp"
 
 namespace phrame {
 

@@ -12,12 +12,4 @@ PHRAME_API std::string to_json(const FrameTable& table);  ///< {"phrame": format
 /// NumPy's .npy format, version 1.0: rows × columns of little-endian doubles, row after row.
 PHRAME_API std::string to_npy(const FrameTable& table);
 
-/// How a table is written row by row, of which there are so many.
-struct RowFormat {
-  std::string (*header)(const std::vector<std::string>& columns, std::size_t rows);
-  void (*append)(std::string& text, const std::vector<double>& row);
-};
-RowFormat csv_rows();  ///< as to_csv()
-RowFormat npy_rows();  ///< as to_npy()
-
 }  // namespace phrame

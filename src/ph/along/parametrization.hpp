@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
 namespace phrame {
@@ -19,7 +20,7 @@ struct ParameterPoint {
 };
 
 /// A path by one of its parameters. Copies are cheap and share what was found.
-class Parametrization {
+class PHRAME_API Parametrization {
  public:
   /// Throws DomainError where the file of the path has no parameter but t, and that is asked for.
   explicit Parametrization(const NamedPath& named, ParameterKind kind = ParameterKind::t);

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/place.hpp"
 
 namespace phrame {
@@ -18,11 +19,11 @@ struct PathRange {
 /// The box around a path of rational curves: of x, y and z where they are least and greatest, at
 /// ends of segments and at the roots of their derivatives, which are isolated. Throws DomainError
 /// for a segment by formulas. Cost: root isolation of degree n, 2n where it is rational.
-std::array<PathRange, 3> bounding_box(const Path& path);
+PHRAME_API std::array<PathRange, 3> bounding_box(const Path& path);
 
 /// The point of a path of rational curves that is nearest to p, and its distance: of all points
 /// where r − p is across r′, and of ends. Throws likewise. Cost: root isolation of degree 2n − 1,
 /// 3n where it is rational.
-PathExtreme nearest_point(const Path& path, const Vector<Rational>& p);
+PHRAME_API PathExtreme nearest_point(const Path& path, const Vector<Rational>& p);
 
 }  // namespace phrame

@@ -29,7 +29,7 @@ struct PHRAME_API Place {
 
 /// From where to where the parameter of formulas goes, as NamedPath::parameters; exact where their
 /// form shows a fraction.
-std::vector<Real> formula_parameters(const ExpressionCurve& curve);
+PHRAME_API std::vector<Real> formula_parameters(const ExpressionCurve& curve);
 /// Where the parameter that the file of the path has is x; an end of it for an x beyond that which
 /// rounds to the same double. Throws DomainError where it has none, and for another x outside of
 /// what it goes through.

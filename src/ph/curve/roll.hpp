@@ -3,12 +3,13 @@
 
 #include "phrame/algebra/angle.hpp"
 #include "phrame/algebra/rational_function.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/place.hpp"
 
 namespace phrame {
 
 /// An angle along a path, by which a frame is turned about e₁ beside how it is else.
-class Roll {
+class PHRAME_API Roll {
  public:
   /// π·half_turns + radians, by the parameter of the path.
   struct Piece {

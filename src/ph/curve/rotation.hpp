@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
 namespace phrame {
@@ -16,7 +17,7 @@ struct TangentAxis {
 };
 
 /// "x" to "-z".
-std::string name_of(const TangentAxis& axis);
+PHRAME_API std::string name_of(const TangentAxis& axis);
 
 /// How a body lies, over ℚ: the rotation v ↦ P v P*/|P|², P ≠ 0 of any length, that takes x, y, z
 /// to its axes.
@@ -32,10 +33,12 @@ struct Orientation {
 /// of its polar decomposition, exactly where the columns are orthonormal, else to some 60 bits. No
 /// value where two columns are not orthogonal, or one is not of length 1, to within 1/100, and
 /// where they are left-handed.
-std::optional<Orientation> nearest_rotation(const std::array<Vector<Rational>, 3>& columns);
+PHRAME_API std::optional<Orientation> nearest_rotation(
+    const std::array<Vector<Rational>, 3>& columns);
 
 /// The frame (e₁, f₂, f₃) of a body with this rotation, as integers without a common factor: Q with
 /// e₁ along Q i Q*, f₂ along Q j Q* and f₃ along Q k Q*.
-Quaternion<Integer> frame_rotation(const RationalQuaternion& body, const TangentAxis& tangent);
+PHRAME_API Quaternion<Integer> frame_rotation(const RationalQuaternion& body,
+                                              const TangentAxis& tangent);
 
 }  // namespace phrame

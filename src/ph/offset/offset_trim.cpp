@@ -155,7 +155,7 @@ std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
   if (gap.is_zero()) return std::nullopt;
   std::vector<RealAlgebraic> found;
   for (const RealRoot& root : real_roots(
-           gap, closed(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint())))
+           gap, closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint())))
     found.push_back(root.at);
   return found;
 }

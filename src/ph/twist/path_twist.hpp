@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/shared.hpp"
+#include "phrame/export.hpp"
 #include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
@@ -17,7 +18,7 @@ namespace phrame {
 ///     one: ω is continuous and ω′, too, and of all such the one with the least ∫ω′² ds [Holladay
 ///     1957]. (With ω continuous there is none with the least ∫ω² ds: the even one is their limit.)
 /// Copies share what was found; any thread may ask.
-class PathTwist {
+class PHRAME_API PathTwist {
  public:
   /// From a joint with an orientation to the next one.
   struct Leg {
@@ -78,7 +79,8 @@ class PathTwist {
 /// Rational frames near one that turns evenly, a frame for each leg, with its orientations at both
 /// ends. Points of the subdivision are parameters of the whole path. Throws as twist_frame(), and
 /// DomainError for a smooth frame.
-std::vector<TwistFrame> twist_frames(const PathTwist& twist, const RationalTwistOptions& options,
-                                     const Subdivision& subdivision);
+PHRAME_API std::vector<TwistFrame> twist_frames(const PathTwist& twist,
+                                                const RationalTwistOptions& options,
+                                                const Subdivision& subdivision);
 
 }  // namespace phrame

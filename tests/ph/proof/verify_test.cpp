@@ -362,7 +362,7 @@ TEST_CASE("verify: an interval whose end is a zero isolates none") {
   const Rational at = -point.polynomial.coefficient(0) / point.polynomial.coefficient(1);
   REQUIRE(point.polynomial.degree() == 1);
   point.polynomial *= Polynomial{-5, 1};
-  point.interval = open(at - 1, 5);
+  point.interval = open_interval(at - 1, 5);
   CHECK(not_proved(c).size() == 1);
   point.interval = open(at - 1, 4);
   check_proved(c);
