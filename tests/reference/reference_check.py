@@ -1,5 +1,5 @@
 """reference/: the program answers all curves of a file as `phrame batch` reads it, and gives the values that are there; some of them, all with
-PHRAME_REFERENCE=all, are computed by tools/foreign_frames.py, too, which shares nothing with the program.
+PHRAME_REFERENCE=all, are computed by tools/foreign_frames.py, too, which shares no formula with the program.
 """
 import json
 import os
@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 import make_reference as reference
 
-EVERY = 1 if os.environ.get("PHRAME_REFERENCE") == "all" else 9
+EVERY = 1 if os.environ.get("PHRAME_REFERENCE") == "all" else 31
 
 
 def main():

@@ -364,6 +364,6 @@ TEST_CASE("verify: an interval whose end is a zero isolates none") {
   point.polynomial *= Polynomial{-5, 1};
   point.interval = open_interval(at - 1, 5);
   CHECK(not_proved(c).size() == 1);
-  point.interval = open(at - 1, 4);
+  point.interval = open_interval(at - 1, 4);
   check_proved(c);
 }
