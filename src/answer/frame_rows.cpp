@@ -95,7 +95,7 @@ class FrameRows::State {
         places_(std::move(at)),
         near_(angle, columns, start_, places_) {}
 
-  TableRow at(const Place& at, const std::optional<NearNumber>& t);
+  TableRow at(std::size_t k, const Place& at);
   const RowPlaces& places() const { return places_; }
   const NearRows& near() const { return near_; }
   const std::string& reason() const { return reason_; }
@@ -265,7 +265,9 @@ Real FrameRows::State::scalar(TabulatedScalar kind, const Place& at) {
       ->at(at);
 }
 
-TableRow FrameRows::State::at(const Place& at, const std::optional<NearNumber>& t) {
+TableRow FrameRows::State::at(std::size_t k, const Place& at) {
+  const std::optional<NearNumber> t = near_.parameter(k);
+  const std::optional<Rational> s = places_.arc_length(k);
   reason_.clear();
   erf_.reset();
   rmf_.reset();
@@ -292,7 +294,9 @@ TableRow FrameRows::State::at(const Place& at, const std::optional<NearNumber>& 
                         [&] { orientations_.add(row, kind, frame(kind, at)); });
   }
   for (const TabulatedScalar kind : columns_.scalars)
-    add_where_defined(row, 1, [&] { row.add(scalar(kind, at)); });
+    add_where_defined(row, 1, [&] {
+      row.add(s && kind == TabulatedScalar::arc_length ? Real(*s) : scalar(kind, at));
+    });
   return row;
 }
 
@@ -333,7 +337,7 @@ bool FrameRows::near(std::size_t k, std::vector<double>& row) const {
 TableRow FrameRows::exact(std::size_t k) {
   const Place at = state_->places().place(k);
   try {
-    TableRow row = state_->at(at, state_->near().parameter(k));
+    TableRow row = state_->at(k, at);
     require_finite(empty_.columns, row.values,
                    [&] { return text_of(at).value_or(fmt::format("row {}", k)); });
     return row;

@@ -11,8 +11,9 @@ namespace phrame {
 /// numbers; any thread may ask.
 class RowPlaces {
  public:
-  /// These places, asked for by as many numbers, or by no numbers.
-  explicit RowPlaces(std::vector<Place> at, std::vector<Rational> numbers = {});
+  /// These places, asked for by as many numbers, which may be arc lengths, or by no numbers.
+  explicit RowPlaces(std::vector<Place> at, std::vector<Rational> numbers = {},
+                     bool are_lengths = false);
   /// At t along the path, each found by `locate`. Throws what that throws, when it is asked.
   RowPlaces(std::vector<Rational> t, std::function<Place(const Rational& t)> locate);
   /// Where the arc length from the start is s.
@@ -25,6 +26,8 @@ class RowPlaces {
   /// or the place is the end of a segment.
   std::optional<NearNumber> number(std::size_t k) const;
   bool is_by_length() const { return length_.has_value(); }
+  /// s there, where the row was asked for by that.
+  std::optional<Rational> arc_length(std::size_t k) const;
   const std::vector<Rational>& numbers() const { return *numbers_; }
 
  private:
@@ -32,6 +35,7 @@ class RowPlaces {
   std::shared_ptr<const std::vector<Rational>> numbers_;
   std::function<Place(const Rational& t)> locate_;
   std::optional<PathLength> length_;
+  bool are_lengths_ = false;
 };
 
 }  // namespace phrame

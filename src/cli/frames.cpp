@@ -63,7 +63,8 @@ AskedRows with_sides(const AskedRows& of, const Path& path, Side side) {
     numbers.resize(places.size(), of.places.numbers()[k]);
     if (!of.values.empty()) values.resize(places.size(), of.values[k]);
   }
-  return {RowPlaces(std::move(places), std::move(numbers)), std::move(values)};
+  return {RowPlaces(std::move(places), std::move(numbers), of.places.arc_length(0).has_value()),
+          std::move(values)};
 }
 
 /// A fraction that rounds as it does, but next to a tie.

@@ -44,6 +44,22 @@ TEST_CASE("frames: --by arc-length: equal steps along the curve, or the lengths 
         line(here.run("frames quintic.json --samples 2").out, 1));
 }
 
+// An arc length that was asked for is known, also where it is half way between two doubles, here
+// 1 + 2^-53, and t is irrational; the fewest and so many rows go different ways.
+TEST_CASE("frames: --by arc-length: the column s is the number asked for") {
+  const Workshop here;
+  here.write("bent.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [2, 1, 0], [3, 3, 1]]})");
+  const Run run =
+      here.run("frames bent.json --by arc-length --at 9007199254740993/9007199254740992");
+  check_success(run);
+  CHECK(line(run.out, 1).ends_with(",1"));
+  const std::string some = here.run("frames bent.json --by arc-length --samples 3").out;
+  const std::string many = here.run("frames bent.json --by arc-length --samples 1001").out;
+  CHECK(line(some, 2) == line(many, 501));
+  CHECK(line(some, 3) == line(many, 1001));
+}
+
 TEST_CASE("frames: --columns: curvature, torsion and the rate of the Frenet frame") {
   const Workshop here;
   const Run run =

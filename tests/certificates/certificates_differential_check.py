@@ -1,7 +1,7 @@
 """Both checkers accept the same files: certificates are changed at random, and what tools/check_certificate.py and
 `phrame verify` say of each is compared: no certificate (exit status 2), all is proved (0), or not (1).
 
-    PHRAME_PROGRAM=build/dev/bin/phrame tests/certificates/differential.py [--number N] [--seed S] [--keep DIR]
+    PHRAME_PROGRAM=build/dev/bin/phrame tests/certificates/certificates_differential_check.py [--number N] [--seed S] [--keep DIR]
 """
 import argparse
 import copy
