@@ -33,8 +33,8 @@ FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
 }
 
 FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
-    : path_(std::move(path)), kind_(kind), start_(start), from_(start) {
-  from_.value = cached(from_.value);
+    : path_(std::move(path)), kind_(kind), start_(start) {
+  start_.value = cached(start_.value);
 }
 
 void FrameSource::make() {
@@ -51,7 +51,7 @@ void FrameSource::make() {
 
 // B is A/|A| as long as θ + start is 0; then (u + vi)·e^{iφ} has a part that is 0 where both are.
 void FrameSource::make_zeros() {
-  bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_ == FrameAngle();
+  bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_.exact == FrameAngle();
   for (std::size_t k = 0; k < segments_.size(); ++k) {
     is_erf = is_erf &&
              (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->rate().is_zero());
@@ -69,7 +69,7 @@ void FrameSource::compile(std::size_t k, double from, double to) {
   const auto origin = static_cast<double>(k);
   try {
     if (kind_ == TabulatedFrame::rmf && path_.is_curve())
-      compiled_.emplace_back(curve, *angle_->closed_form(0), from, to, start_);
+      compiled_.emplace_back(curve, *angle_->closed_form(0), from, to, *start_.exact);
     else if (kind_ == TabulatedFrame::rmf)
       compiled_.emplace_back(*angle_, k, start_);
     else
@@ -160,14 +160,14 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
     if (kind_ == TabulatedFrame::euler_rodrigues) return as_real(erf);
     return turned(
         erf, angle_->direction(here),
-        [&](const FrameAngle& start) { return angle_->value(here, start); }, start_);
+        [&](const FrameAngle& start) { return angle_->value(here, start); }, *start_.exact);
   }();
   return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
 }
 
 Quaternion<RealBall> FrameSource::ball_at(const PathParameter& at) const {
   const RealBall theta =
-      kind_ == TabulatedFrame::rmf ? angle_->enclose(Place{at}, from_, rotation_bits) : RealBall();
+      kind_ == TabulatedFrame::rmf ? angle_->enclose(Place{at}, start_, rotation_bits) : RealBall();
   const Segment& segment = segments_[at.segment];
   return rotation_ball(segment.preimage, at.t, theta, segment.sign);
 }
@@ -177,27 +177,23 @@ std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
     const Quaternion<Real> found = quaternion_of(segments_[at.segment].frames.frenet(at.t));
     return {found.u, found.v, found.p, found.q};
   }
-  RationalQuaternion a = evaluate(segments_[at.segment].preimage, at.t);
-  if (segments_[at.segment].sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
+  const Segment& segment = segments_[at.segment];
+  const Rational& t = at.t;
   const Real theta =
       kind_ == TabulatedFrame::euler_rodrigues ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
+    RationalQuaternion a = evaluate(segment.preimage, t);
+    if (segment.sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
     const Real over_size = square_root_of(1 / norm(a));
     return {over_size * a.u, over_size * a.v, over_size * a.p, over_size * a.q};
   }
-  // (x + yi)·e^{±iφ}/|A|
-  const auto turned = [&](const Rational& x, const Rational& y, int sign, bool imaginary) {
-    return Real([=](long bits) {
-      const CosSin unit = cos_sin(times_power_of_two(theta.enclose(bits), -1), bits);
-      const RealBall sine = sign < 0 ? subtract(RealBall(), unit.sin, bits) : unit.sin;
-      const RealBall first = multiply(RealBall(imaginary ? y : x, bits), unit.cos, bits);
-      const RealBall second = multiply(RealBall(imaginary ? x : y, bits), sine, bits);
-      const RealBall sum = imaginary ? add(first, second, bits) : subtract(first, second, bits);
-      return divide(sum, sqrt(RealBall(norm(a), bits), bits), bits);
+  const auto component = [&](RealBall Quaternion<RealBall>::*part) {
+    return Real([=, &segment = segment](long bits) {
+      return rotation_ball(segment.preimage, t, theta.enclose(bits), segment.sign, bits).*part;
     });
   };
-  return {turned(a.u, a.v, 1, false), turned(a.u, a.v, 1, true), turned(a.p, a.q, -1, false),
-          turned(a.p, a.q, -1, true)};
+  using Ball = Quaternion<RealBall>;
+  return {component(&Ball::u), component(&Ball::v), component(&Ball::p), component(&Ball::q)};
 }
 
 /// Of Frenet's frame up to its sign.

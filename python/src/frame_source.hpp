@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-
 #include "parameters.hpp"
 
 namespace phrame::python {
@@ -57,8 +56,7 @@ class FrameSource {
 
   PhPath path_;
   FrameKind kind_;
-  FrameAngle start_;
-  StartAngle from_;  ///< the same
+  StartAngle start_;  ///< exact
   std::optional<PathAngle> angle_;
   std::mutex lock_;  ///< while something is made or compiled
   std::atomic<bool> is_made_{false};

@@ -72,6 +72,11 @@ constexpr const char* notes =
     "  phrame batch curves.jsonl --at 1 -o angles.jsonl\n"
     "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50";
 
+/// Is it about the program itself, and not about curves?
+bool is_about_program(const std::string& command) {
+  return command == "help" || command == "completion" || command == "man";
+}
+
 /// Its commands, with --version and --time-limit of each: of the whole program, or the one asked
 /// for.
 class CommandLine {
@@ -80,8 +85,7 @@ class CommandLine {
     const std::string version = fmt::format("phrame {}", phrame::version);
     for (const auto& [name, add] : commands) {
       add(program_);
-      phrame::cli::Command& command = *program_.find(name);
-      if (!command.is_hidden() && name != "help") command.add_time_limit();
+      if (!is_about_program(name)) program_.find(name)->add_time_limit();
     }
     CLI::App& app = program_.app();
     app.set_version_flag("--version", version, "show the version");
@@ -142,11 +146,6 @@ int run_any(const std::vector<std::string>& words) {
   if (line.chosen() == nullptr)  // "--"
     throw phrame::InputError(phrame::cli::complaint_about_command(program, {}));
   return run_chosen(line);
-}
-
-/// Is it about the program itself, and not about curves?
-bool is_about_program(const std::string& command) {
-  return command == "help" || command == "completion" || command == "man";
 }
 
 int run(int argc, char** argv) {

@@ -88,7 +88,6 @@ CLI::Validator is_in(WholeNumbers range) {
 
 std::string Command::name() const { return app_.get_name(); }
 std::string Command::what() const { return app_.get_description(); }
-bool Command::is_hidden() const { return app_.get_group().empty(); }
 
 std::vector<std::string> Command::restrictions() const {
   std::map<std::vector<std::string>, std::vector<std::string>> options_by_choices;
@@ -382,7 +381,7 @@ Command& Program::add_hidden(const std::string& name, const std::string& what) {
 std::vector<const Command*> Program::commands() const {
   std::vector<const Command*> visible;
   for (const auto& command : commands_)
-    if (!command->is_hidden()) visible.push_back(command.get());
+    if (!command->app().get_group().empty()) visible.push_back(command.get());
   return visible;
 }
 

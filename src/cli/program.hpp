@@ -42,7 +42,6 @@ class Command {
   std::string name() const;
   /// In a line, for the list of commands.
   std::string what() const;
-  bool is_hidden() const;  ///< does the help not list it?
   /// What the help says below the options: lines that may be filled, lines that begin with two
   /// blanks as they are, and "Examples:".
   const std::string& notes() const { return notes_; }

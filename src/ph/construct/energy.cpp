@@ -6,7 +6,6 @@
 
 #include "phrame/algebra/ball_log.hpp"
 #include "phrame/algebra/complex_series.hpp"
-#include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/numerical_integral.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/ph/along/totals.hpp"
@@ -103,9 +102,8 @@ class PrincipalParts {
     const ComplexBall at_end = inverse(subtract(one_, z, bits), bits);
     const ComplexBall at_start = inverse(subtract({}, z, bits), bits);
     const ComplexBall change = subtract(at_start, at_end, bits);
-    const ComplexBall half_sum = half(add(at_start, at_end, bits));
-    const ComplexBall outer =
-        add(s.coefficient(1), multiply(s.coefficient(0), half_sum, bits), bits);
+    const ComplexBall mean = multiply(half_, add(at_start, at_end, bits), bits);
+    const ComplexBall outer = add(s.coefficient(1), multiply(s.coefficient(0), mean, bits), bits);
     const ComplexBall turn = log(multiply(subtract(one_, z, bits), at_start, bits), bits);
     const ComplexBall whole =
         add(multiply(s.coefficient(2), turn, bits), multiply(outer, change, bits), bits);
@@ -123,13 +121,11 @@ class PrincipalParts {
     return ComplexSeries(
         {evaluate(p[0], z, bits), evaluate(p[1], z, bits), evaluate(p[2], z, bits)});
   }
-  static ComplexBall half(const ComplexBall& z) {
-    return {times_power_of_two(z.re(), -1), times_power_of_two(z.im(), -1)};
-  }
 
   Taylor n_;
   Taylor e_;
   ComplexBall one_{RealBall(Rational(1), 8), {}};
+  RealBall half_{Rational(1, 2), 8};
 };
 
 constexpr long wanted_bits = 26;

@@ -21,22 +21,26 @@ std::optional<Vector<double>> rounded(const Vector<Ball>& v) {
 }  // namespace
 
 Quaternion<RealBall> rotation_ball(const QuaternionPolynomial& a, const Rational& t,
-                                   const RealBall& theta, int sign) {
-  const RealBall at(t, rotation_bits + 64);
-  const auto component = [&](const Polynomial& p) {
-    return Ball{evaluate(p, at, rotation_bits + 16)};
-  };
-  const Quaternion<Ball> here{component(a.u), component(a.v), component(a.p), component(a.q)};
-  RealBall size = sqrt(norm(here).x, rotation_bits);
-  if (sign < 0) size = subtract({}, size, rotation_bits);
-  Quaternion<Ball> turn{{RealBall(Rational(1), rotation_bits)}, {}, {}, {}};
+                                   const RealBall& theta, int sign, long bits) {
+  const RealBall at(t, bits + 64);
+  const auto component = [&](const Polynomial& p) { return evaluate(p, at, bits + 16); };
+  Quaternion<RealBall> b{component(a.u), component(a.v), component(a.p), component(a.q)};
+  RealBall square;
+  for (const RealBall* x : {&b.u, &b.v, &b.p, &b.q}) square = add_product(square, *x, *x, bits);
+  RealBall size = sqrt(square, bits);
+  if (sign < 0) size = subtract({}, size, bits);
   if (!theta.is_zero()) {
-    const CosSin half = cos_sin(times_power_of_two(theta, -1), rotation_bits);
-    turn = {{half.cos}, {half.sin}, {}, {}};
+    const auto [c, s] = cos_sin(times_power_of_two(theta, -1), bits);
+    // xc + ys
+    const auto turned = [&, c = c](const RealBall& x, const RealBall& y, const RealBall& sine) {
+      return add_product(multiply(x, c, bits), y, sine, bits);
+    };
+    const RealBall minus_s = subtract({}, s, bits);
+    b = {turned(b.u, b.v, minus_s), turned(b.v, b.u, s), turned(b.p, b.q, s),
+         turned(b.q, b.p, minus_s)};
   }
-  const Quaternion<Ball> b = here * turn;
-  const auto over_size = [&](const Ball& x) { return divide(x.x, size, rotation_bits); };
-  return {over_size(b.u), over_size(b.v), over_size(b.p), over_size(b.q)};
+  return {divide(b.u, size, bits), divide(b.v, size, bits), divide(b.p, size, bits),
+          divide(b.q, size, bits)};
 }
 
 std::optional<Frame<double>> rounded_frame(const Quaternion<RealBall>& b) {

@@ -3,13 +3,13 @@
 
 namespace phrame {
 
-inline constexpr long rotation_bits = 96;  ///< of the balls below
+inline constexpr long rotation_bits = 96;  ///< which are enough to round nearly all frames
 
-/// B = A/|A|·(cos φ + i·sin φ) at t, φ = θ/2, within some 2^−rotation_bits: the unit quaternion of
-/// the Euler–Rodrigues frame of A, turned about e₁ by θ; −B for a sign < 0. Precondition: A has no
-/// zero at t.
+/// B = A/|A|·(cos φ + i·sin φ) at t, φ = θ/2, within some 2^−bits: the unit quaternion of the
+/// Euler–Rodrigues frame of A, turned about e₁ by θ; −B for a sign < 0. Precondition: A has no zero
+/// at t.
 Quaternion<RealBall> rotation_ball(const QuaternionPolynomial& a, const Rational& t,
-                                   const RealBall& theta, int sign = 1);
+                                   const RealBall& theta, int sign = 1, long bits = rotation_bits);
 
 /// Every component correctly rounded; no value where the balls leave a rounding open, as that of
 /// a component that is 0 but not seen to be.
