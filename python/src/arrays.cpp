@@ -55,16 +55,6 @@ struct TablePlace {
 
 using At = std::shared_ptr<Parameters>;
 
-void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
-  const double last = round_to_double(end);
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= last : at[k] >= 0 && at[k] <= end)
-      continue;
-    refuse("ts[" + std::to_string(k) + "]",
-           as_written(at[k]) + " is outside [0, " + to_string(end) + "]", ts);
-  }
-}
-
 /// Is t a linear function of it, between joints?
 bool is_linear(ParameterKind by) {
   return by == ParameterKind::native || by == ParameterKind::unit;
@@ -94,9 +84,8 @@ Numbers by_places(const PathObject& self, const FrameStart& start, const At& at,
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [=, named = self.named, angle = PathAngle(self.named.path), by = asked.by,
+           [=, along = Parametrization(self.named, asked.by), angle = PathAngle(self.named.path),
             width = asked.width](std::size_t from, std::size_t to) {
-             const Parametrization along(named, by);
              std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
@@ -201,6 +190,16 @@ nb::object points(const PathObject& self, nb::handle ts, const Text<"by">& by,
 
 }  // namespace
 
+void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
+  const double last = round_to_double(end);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= last : at[k] >= 0 && at[k] <= end)
+      continue;
+    refuse("ts[" + std::to_string(k) + "]",
+           as_written(at[k]) + " is outside [0, " + to_string(end) + "]", ts);
+  }
+}
+
 void make_continuous(DoubleArray& quaternions) {
   const auto negate = [&](std::size_t from) {
     for (std::size_t i = from; i < from + 4; ++i)
@@ -260,8 +259,7 @@ nb::object angles_by_places(const NamedPath& named, const PathAngle& angle, cons
   run({.n = at->size(),
        .grain = 1,
        .work =
-           [=](std::size_t from, std::size_t to) {
-             const Parametrization along(named, by);
+           [=, along = Parametrization(named, by)](std::size_t from, std::size_t to) {
              for (std::size_t k = from; k < to; ++k) {
                const Place place = at_place("ts[" + std::to_string(k) + "]",
                                             [&] { return along.point((*at)[k]).at; });

@@ -34,6 +34,9 @@ inline void write_pose(const Frame<double>& f, const Vector<double>& r, double* 
 /// is > 0.
 void make_continuous(DoubleArray& quaternions);
 
+/// Refuses a t outside [0, end]; a double that is the end rounded is not.
+void require_inside(const Parameters& at, const Rational& end, nb::handle ts);
+
 constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes at a time
 
 using Numbers = std::shared_ptr<DoubleArray>;

@@ -95,11 +95,7 @@ nb::object turns_of(nb::handle self) {
 nb::object twist_frames(const PathTwist& twist, nb::handle ts, nb::handle progress) {
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   const std::size_t segments = twist.rmf().path().segments().size();
-  const Rational end(static_cast<long>(segments));
-  for (std::size_t k = 0; k < at->size(); ++k)
-    if ((*at)[k] < 0 || (*at)[k] > end)
-      refuse("ts[" + std::to_string(k) + "]",
-             as_written((*at)[k]) + " is outside [0, " + to_string(end) + "]", ts);
+  require_inside(*at, twist.rmf().path().end(), ts);
   TableColumns columns{.frames = {TabulatedFrame::exact_mtf}};
   columns.exact_mtf = twist;
   const auto numbers = std::make_shared<DoubleArray>(at->size() * 9);

@@ -39,8 +39,6 @@ PathTwistAnswer answer(const NamedPath& named, const PathTwistQuery& query) {
   answer.by = query.by;
   for (const ParameterPoint& point :
        Parametrization(named, query.by).points(query.at, query.samples)) {
-    if (const auto& t = point.at.t.exact())
-      locate_inside(named.path.segments().size(), *t + static_cast<long>(point.at.segment));
     const Real theta = twist.value(point.at);
     answer.values.push_back(
         angle_value(point, query.by, query.digits,

@@ -64,7 +64,7 @@ void run(const Command& command, const AngleOptions& options) {
   query.up = options.up.chosen(path);
   options.start.check(path, query.up, query.reference);
   options.parameters.on(named);  // where it throws
-  query.at = Parameters{options.parameters.at}.values();
+  query.at = options.parameters.given();
   query.samples = options.parameters.samples;
   query.by = options.parameters.kind();
   if (path.segments().size() > 1 && print.as == Print::As::script)

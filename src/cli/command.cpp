@@ -171,20 +171,26 @@ Roll rolled(const std::string& text) {
 
 }  // namespace
 
+std::vector<Rational> CurveOptions::column(const std::string& option,
+                                           const std::string& name) const {
+  if (path == "-" && Exchange::current() == nullptr)
+    throw InputError(option, "standard input is read once: the table is to be a file");
+  return at_place(name_of_file(path), ":",
+                  [&] { return read_column(read_file(path), name, reading); });
+}
+
 std::string RollOption::column_name() const {
   if (!column) return "";
   return column->ends_with(":deg") ? column->substr(0, column->size() - 4) : *column;
 }
 
-Roll RollOption::chosen(const std::string& file, const FileReading& reading) const {
+Roll RollOption::chosen(const CurveOptions& curve) const {
   if (roll) return rolled(*roll);
   if (!column) return {};
   const bool are_degrees = column->ends_with(":deg");
-  const std::string name = column_name();
-  const auto numbers = at_place(name_of_file(file), ":",
-                                [&] { return read_column(read_file(file), name, reading); });
   std::vector<Angle> angles;
-  for (const Rational& x : numbers) angles.push_back(are_degrees ? Angle(x / 180, 0) : Angle(x));
+  for (const Rational& x : curve.column("--roll-column", column_name()))
+    angles.push_back(are_degrees ? Angle(x / 180, 0) : Angle(x));
   return Roll(angles);
 }
 
@@ -343,9 +349,14 @@ void Parameters::add_values_to(Command& command) {
                      "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
 }
 
-std::vector<Rational> Parameters::values() const {
+std::vector<Rational> Parameters::given() const {
   std::vector<Rational> result;
   for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
+  return result;
+}
+
+std::vector<Rational> Parameters::values() const {
+  std::vector<Rational> result = given();
   for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
   return result;
 }

@@ -55,6 +55,9 @@ struct CurveOptions {
   /// line on stderr says what --near gives closed forms. Another one tells of corners that are no
   /// rounding; those beyond --max-corner are refused.
   NamedPath read_any_path() const;
+  /// The numbers of a column of the table that the curve is read from, a row for each point. Throws
+  /// InputError, at the option where the curve is on standard input.
+  std::vector<Rational> column(const std::string& option, const std::string& name) const;
 
  private:
   NamedPath read_near_or_any() const;
@@ -83,7 +86,8 @@ struct Parameters {
   ParameterKind kind() const;
   /// Throws InputError where it is by a parameter that the path does not have.
   Parametrization on(const NamedPath& named) const;
-  /// In the order given, then the N equally spaced ones on [0, 1].
+  std::vector<Rational> given() const;  ///< of --at, in that order
+  /// These, then the N equally spaced ones on [0, 1].
   std::vector<Rational> values() const;
 };
 
@@ -160,7 +164,7 @@ struct RollOption {
   /// Without its unit; empty where there is none.
   std::string column_name() const;
   /// What is asked for, with the table that the curve is read from. Throws InputError.
-  Roll chosen(const std::string& file, const FileReading& reading) const;
+  Roll chosen(const CurveOptions& curve) const;
   static std::vector<std::string> names() { return {"--roll", "--roll-column"}; }
 };
 

@@ -104,10 +104,7 @@ Output::Output(const std::string& path) : state_(std::make_unique<State>(State{p
     state_->draft = fmt::format("{}.{}.part", state_->target, getpid());
   }
   state_->file.reset(std::fopen(is_stream ? path.c_str() : state_->draft.c_str(), "wb"));
-  if (!state_->file) {
-    state_->draft.clear();
-    fail_with_errno(path, "cannot be written");
-  }
+  if (!state_->file) fail_with_errno(path, "cannot be written");
   if (exists && !is_stream)
     std::filesystem::permissions(
         state_->draft, std::filesystem::status(state_->target, ignored).permissions(), ignored);
@@ -134,18 +131,10 @@ void Output::finish() {
     if (std::fflush(stdout) != 0) fail_with_errno("standard output", "cannot be written");
     return;
   }
-  const bool is_there =
-      close_written(std::move(state_->file)) &&
-      (state_->draft.empty() || std::rename(state_->draft.c_str(), state_->target.c_str()) == 0);
-  if (is_there) {
-    state_->draft.clear();
-    return;
-  }
-  const int reason = errno;
-  if (!state_->draft.empty()) std::remove(state_->draft.c_str());
+  if (!close_written(std::move(state_->file)) ||
+      (!state_->draft.empty() && std::rename(state_->draft.c_str(), state_->target.c_str()) != 0))
+    fail_with_errno(state_->path, "cannot be written");  // and the draft goes with the output
   state_->draft.clear();
-  errno = reason;
-  fail_with_errno(state_->path, "cannot be written");
 }
 
 void write_output(const std::string& path, const std::string& bytes) {

@@ -163,7 +163,7 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
 AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& options) {
   const Path& path = named.path;
   const Parametrization by = options.parameters.on(named);
-  const std::vector<Rational> asked = Parameters{options.parameters.at}.values();
+  const std::vector<Rational> asked = options.parameters.given();
   const long samples = options.parameters.samples;
   std::vector<Rational> numbers;
   if (by.kind() == ParameterKind::t || by.kind() == ParameterKind::arc_length) {
@@ -171,8 +171,7 @@ AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& opt
     const Rational last = samples > 0 ? *by.sample_values(2).back().exact() : 0;
     for (long k = 0; k < samples; ++k) numbers.push_back(Rational(k, samples - 1) * last);
   }
-  if (by.kind() == ParameterKind::arc_length)
-    return {RowPlaces(std::move(numbers), PathLength(path))};
+  if (by.kind() == ParameterKind::arc_length) return {RowPlaces(std::move(numbers), by.length())};
   if (by.kind() == ParameterKind::t) {
     RowPlaces places(std::move(numbers), [path, ends](const Rational& t) {
       return Place(ends ? locate_inside(path.segments().size(), t) : locate(path, t));
@@ -205,13 +204,13 @@ template <class Use>
 void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use) {
   const ParameterKind by = options.parameters.kind();
   chosen.start = options.start.start();
-  chosen.roll = options.roll.chosen(options.curve.path, options.curve.reading);
+  chosen.roll = options.roll.chosen(options.curve);
   if (options.roll.is_given() && std::ranges::any_of(chosen.scalars, [](TabulatedScalar scalar) {
         return scalar == TabulatedScalar::bend_f2 || scalar == TabulatedScalar::bend_f3 ||
                scalar >= TabulatedScalar::twist_rate;
       }))
     throw InputError("--roll", "is not in the columns bishop and twist_...");
-  if (options.parameters.values().empty())
+  if (options.parameters.given().empty() && options.parameters.samples == 0)
     throw InputError("frames", "--samples N or --at t,… is needed");
   CurveOptions curve = options.curve;
   curve.reading.other_columns = {options.roll.column_name()};

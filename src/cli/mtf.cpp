@@ -48,7 +48,7 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   MinimalTwistQuery query{from,
                           to,
                           options.twist.turns,
-                          Parameters{options.parameters.at}.values(),
+                          options.parameters.given(),
                           options.digits,
                           options.up.chosen(path)};
   options.parameters.on(named);  // where it throws
@@ -78,7 +78,7 @@ void run_through(const Command& command, const MtfOptions& options, const NamedP
       "is of rational frames between two ends; the file has orientations at joints, which "
       "the exact frame meets");
   options.parameters.on(named);  // where it throws
-  const PathTwistQuery query{Parameters{options.parameters.at}.values(), options.digits,
+  const PathTwistQuery query{options.parameters.given(), options.digits,
                              options.up.chosen(named.path), options.parameters.kind(),
                              options.parameters.samples};
   options.length.write(options.curve.output, print(answer(named, query)));

@@ -36,21 +36,14 @@ struct SweepOptions {
   long degree = 0;  ///< of a rational frame of minimal twist; 0: none is asked for
 };
 
-/// The numbers of a column of the table that the curve is read from, a row for each point.
-std::vector<Rational> column_of(const SweepOptions& options) {
-  const std::string place = name_of_file(options.curve.path);
-  return at_place(place, ":", [&] {
-    return read_column(read_file(options.curve.path), *options.scale_column, options.curve.reading);
-  });
-}
-
 RationalFunction scale_of(const SweepOptions& options) {
   return at_place("--scale", ", ", [&] { return parse_expression(options.scale, "t").value; });
 }
 
 /// A rational function, or the values at joints in a list.
 SweepScale sweep_scale_of(const SweepOptions& options) {
-  if (options.scale_column) return SweepScale(column_of(options));
+  if (options.scale_column)
+    return SweepScale(options.curve.column("--scale-column", *options.scale_column));
   const std::vector<std::string> parts = split({options.scale});
   if (parts.size() == 1) return scale_of(options);
   std::vector<Rational> values;
@@ -109,7 +102,7 @@ SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
   const Profile profile = profile_of(options, greatest);
   SweepQuery query{profile, options.start.start()};
   query.scale = scale;
-  query.roll = options.roll.chosen(options.curve.path, options.curve.reading);
+  query.roll = options.roll.chosen(options.curve);
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   if (options.twist) query.twist = parse_angle_option("--twist", *options.twist);

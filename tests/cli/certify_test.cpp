@@ -10,7 +10,9 @@ TEST_CASE("certify and verify: a certificate is proved, a changed one is not") {
   check_success(proved);
   CHECK(contains(proved.out, "proved      |theta(1) - 0.28585653009834106200165626280309220136"));
   // sha256sum of the exact form, which is in docs/certificate.md.
-  CHECK(proved.out.starts_with("curve       quintic\nsha256      7985d7fd344538aee7e37f39529e1a938ad4fd6bef3774f7c79276f22822139f\nframe       erf\nproved"));
+  CHECK(proved.out.starts_with(
+      "curve       quintic\nsha256      "
+      "7985d7fd344538aee7e37f39529e1a938ad4fd6bef3774f7c79276f22822139f\nframe       erf\nproved"));
   CHECK(contains(proved.out, "\nproved      decision regular: yes\n"));
   CHECK(contains(proved.out, "\nproved      decision line: no\n"));
   CHECK(proved.out.ends_with("all 17 statements are proved\n"));

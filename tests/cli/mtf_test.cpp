@@ -108,6 +108,7 @@ TEST_CASE("mtf: an end that is left out is the least rotation there") {
 
 TEST_CASE("mtf: bad input is refused with its place") {
   const Workshop here;
+  check_failure(here.run("mtf quintic.json --from 0 --to 1 --at 2"), 3, "t = 2 is outside [0, 1]");
   check_failure(here.run("mtf quintic.json --from 0 --to 1 --to-vector 1,0,0"), 2,
                 "--to: the angle is given twice");
   check_failure(here.run("mtf quintic.json --to 1 --closed"), 2, "--to: the angle is given twice");

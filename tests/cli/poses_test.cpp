@@ -163,6 +163,19 @@ TEST_CASE("poses: a closed list gives a closed path, with a body that closes") {
   CHECK(here.run("page ring.json -o ring.html").status == 0);
 }
 
+// Rows 2 and 5 miss a number each, one of the position, one of the orientation.
+TEST_CASE("poses: points and orientations of different rows are never taken together") {
+  const Workshop here;
+  here.write("gaps.csv",
+             "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n,0,0,0,0,1,1\n1,0,0,0,0,0,1\n"
+             "2,0,0,0,0,0,1\n3,1,0,,0,0,1\n4,1,0,0,0,0,1\n");
+  check_failure(here.run("construct gaps.csv --tangent-axis x --skip-invalid"), 2,
+                "4 rows with orientations, but 5 points");
+  here.write("both.csv",
+             "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n,0,0,,0,1,1\n1,0,0,0,0,0,1\n2,0,0,0,0,0,0\n");
+  check_failure(here.run("construct both.csv --tangent-axis x --skip-invalid"), 2, "line 5");
+}
+
 TEST_CASE("poses: what is none is refused with its place") {
   const Workshop here;
   const auto refused = [&](const std::string& name, const std::string& content,

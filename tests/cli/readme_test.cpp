@@ -64,12 +64,26 @@ TEST_CASE("documents: every command shown prints what is shown") {
   const char* program = std::getenv("PHRAME_PROGRAM");
   REQUIRE(program != nullptr);
   long all = 0;
-  for (const std::string document :
-       {"/README.md", "/docs/any-curve.md", "/docs/certificate.md", "/docs/check.md",
-        "/docs/classification.md", "/docs/cluster.md", "/docs/compiled.md", "/docs/construct.md",
-        "/docs/corners.md", "/docs/curve-files.md", "/docs/from-your-data.md",
-        "/docs/integration.md", "/docs/minimal-twist.md", "/docs/motion.md", "/docs/near.md",
-        "/docs/offsets.md", "/docs/poses.md", "/docs/splines.md", "/docs/sweep.md", "/docs/totals.md"}) {
+  for (const std::string document : {"/README.md",
+                                     "/docs/any-curve.md",
+                                     "/docs/certificate.md",
+                                     "/docs/check.md",
+                                     "/docs/classification.md",
+                                     "/docs/cluster.md",
+                                     "/docs/compiled.md",
+                                     "/docs/construct.md",
+                                     "/docs/corners.md",
+                                     "/docs/curve-files.md",
+                                     "/docs/from-your-data.md",
+                                     "/docs/integration.md",
+                                     "/docs/minimal-twist.md",
+                                     "/docs/motion.md",
+                                     "/docs/near.md",
+                                     "/docs/offsets.md",
+                                     "/docs/poses.md",
+                                     "/docs/splines.md",
+                                     "/docs/sweep.md",
+                                     "/docs/totals.md"}) {
     CAPTURE(document);
     long commands = 0;
     for (const std::string& block : blocks(content(root + document), "console")) {

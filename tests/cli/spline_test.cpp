@@ -54,7 +54,8 @@ TEST_CASE("splines: angle and info") {
 TEST_CASE("splines: what is refused, and where") {
   const Workshop here;
   add_splines(here);
-  check_failure(here.run("angle broken.json"), 2, "broken.json:/segments/1: the tangent turns back");
+  check_failure(here.run("angle broken.json"), 2,
+                "broken.json:/segments/1: the tangent turns back");
   check_failure(here.run("angle other.json"), 2,
                 "/phrame: the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
                 "\"points/1\", not \"spline/2\"");

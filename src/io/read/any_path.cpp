@@ -158,8 +158,8 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
 
 NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
                         const FileReading& reading) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::string_view content = text;
-  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
   if (is_glb_file(content)) {
     reading.refuse_skipping("an animation");

@@ -2,7 +2,7 @@
 // Reference]. The code 0 begins an entity.
 //
 // An arc from p to q with the bulge b, the tangent of a quarter of its angle, has the middle
-// m = (p + q)/2 + b/2·n, n the chord q − p turned to the right. The tangents at p and m points_meet
+// m = (p + q)/2 + b/2·n, n the chord q − p turned to the right. The tangents at p and m meet
 // in m − (1 + b²)/4·(q − p), and of each half, which has the angle 4 arctan b/2, the weights are 1,
 // 1, 1 + b², since cos² arctan b = 1/(1 + b²). So it is a curve over ℚ.
 #include "phrame/io/read/dxf_file.hpp"
@@ -105,7 +105,7 @@ struct DxfEntity {
   }
 };
 
-/// DxfPieces from a start to an end.
+/// Pieces from a start to an end.
 using DxfPieces = std::vector<RationalBezier>;
 
 const Vector<Rational>& first_point(const DxfPieces& pieces) {
@@ -121,7 +121,7 @@ void turn_back(DxfPieces& pieces) {
   }
 }
 
-/// −1 where x is mirrored_pieces: the extrusion is along −z.
+/// −1 where x is mirrored: the extrusion is along −z.
 int sense_of(const DxfEntity& entity) {
   const Vector<Rational> n{entity.number(210, Rational(0)), entity.number(220, Rational(0)),
                            entity.number(230, Rational(1))};
@@ -273,7 +273,7 @@ std::optional<DxfPieces> pieces_of(const DxfEntity& entity, const std::vector<Dx
   return std::nullopt;
 }
 
-/// Entities that points_meet.
+/// Entities that meet.
 struct DrawnChain {
   DxfPieces pieces;
   std::vector<Rational> knots = {};  ///< of one spline, where the pieces begin, and the last
@@ -303,11 +303,9 @@ void turn_back(DrawnChain& chain) {
 bool join_chains(DrawnChain& chain, DrawnChain& next) {
   if (chain.layer != next.layer || points_meet(first_point(chain.pieces), last_point(chain.pieces)))
     return false;
-  if (points_meet(last_point(chain.pieces), last_point(next.pieces)) &&
-      !points_meet(last_point(chain.pieces), first_point(next.pieces)))
-    turn_back(next);
-  if (points_meet(first_point(chain.pieces), first_point(next.pieces)) &&
-      !points_meet(last_point(chain.pieces), first_point(next.pieces)))
+  if (!points_meet(last_point(chain.pieces), first_point(next.pieces)) &&
+      (points_meet(last_point(chain.pieces), last_point(next.pieces)) ||
+       points_meet(first_point(chain.pieces), first_point(next.pieces))))
     turn_back(next);
   const bool is_behind = points_meet(last_point(chain.pieces), first_point(next.pieces));
   if (!is_behind && !points_meet(last_point(next.pieces), first_point(chain.pieces))) return false;
@@ -322,7 +320,7 @@ bool join_chains(DrawnChain& chain, DrawnChain& next) {
   return true;
 }
 
-/// Curves of entities that points_meet, each as long as it can be.
+/// Curves of entities that meet, each as long as it can be.
 std::vector<DrawnChain> chains_of_drawing(std::vector<DrawnChain> parts) {
   for (std::size_t k = 0; k < parts.size(); ++k)
     for (bool has_grown = true; has_grown;) {

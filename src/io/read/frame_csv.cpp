@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/column_name.hpp"
+#include "phrame/io/read/frames_of_table.hpp"
 #include "phrame/io/read/pose_columns.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -247,8 +248,10 @@ Layout layout_of(const NumberTable& table, const FrameReading& reading, GivenTab
           reading.names.empty() ? table.header_place() : "--header", reading.quaternion};
 }
 
-GivenTable frames_of(std::unique_ptr<NumberTable> table, const FrameReading& reading,
-                     std::size_t at_most) {
+}  // namespace
+
+GivenTable frames_of_table(std::unique_ptr<NumberTable> table, const FrameReading& reading,
+                           std::size_t at_most) {
   GivenTable result;
   const Layout layout = layout_of(*table, reading, result);
   if (reading.skips_invalid) table = without_missing(std::move(table), layout.columns());
@@ -266,10 +269,9 @@ GivenTable frames_of(std::unique_ptr<NumberTable> table, const FrameReading& rea
   return result;
 }
 
-}  // namespace
-
 GivenTable read_frames(std::string_view bytes, const FrameReading& reading, std::size_t at_most) {
-  return frames_of(read_number_table(bytes, {reading.names.empty(), "frames"}), reading, at_most);
+  return frames_of_table(read_number_table(bytes, {reading.names.empty(), "frames"}), reading,
+                         at_most);
 }
 
 std::vector<GivenPosition> read_positions(std::string_view bytes, const FrameReading& reading) {

@@ -426,7 +426,7 @@ struct GotoPoints {
   bool has_axes = false;
 };
 
-/// What stands behind the name of a apt_statement, and its slash; no value where it is another one.
+/// What stands behind the name of a statement, and its slash; no value where it is another one.
 std::optional<std::string_view> apt_statement(std::string_view line, std::string_view name) {
   if (lower_case(line.substr(0, name.size())) != name) return std::nullopt;
   line = trimmed(line.substr(name.size()));
@@ -487,6 +487,7 @@ class GotoTable : public NumberTable {
 
 PointCurve read_apt(std::string_view text, const FileReading& reading) {
   GotoPoints points = read_goto(text);
+  if (points.points.empty()) throw InputError("line 1", "the program has no GOTO/ and no FROM/");
   const bool has_axes = points.has_axes;
   FileReading how = reading;
   if (how.kind.empty()) how.kind = "polyline";
@@ -517,11 +518,12 @@ std::string_view first_gcode_line(std::string_view text) {
 bool is_gcode_file(std::string_view text) {
   const std::string_view line = first_gcode_line(text);
   if (is_apt(line)) return true;
-  if (line.size() < 2 || text.find_first_of("Gg") == std::string_view::npos) return false;
+  if (line.size() < 2) return false;
   const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
-  if (std::string_view("GNOTFS").find(letter) != std::string_view::npos)
-    return std::isdigit(static_cast<unsigned char>(line[1])) != 0;
-  if (letter != 'M') return false;
+  const bool is_word = std::string_view("GNOTFS").find(letter) != std::string_view::npos;
+  if ((!is_word && letter != 'M') || text.find_first_of("Gg") == std::string_view::npos)
+    return false;
+  if (is_word) return std::isdigit(static_cast<unsigned char>(line[1])) != 0;
   try {
     read_block(line, 1);  // "M1 2", path data, is none
     return true;

@@ -100,6 +100,8 @@ std::vector<Rational> read_accessor(const JsonNode& document, const JsonNode& in
   }
   const std::size_t stride =
       view.find("byteStride") ? gltf_index(view.at("byteStride")) : 4 * width;
+  if (stride < 4 * width)
+    view.at("byteStride").fail(fmt::format("an element has {} bytes", 4 * width));
   const std::size_t start =
       gltf_index_or_zero(view, "byteOffset") + gltf_index_or_zero(accessor, "byteOffset");
   const std::size_t count = gltf_index(accessor.at("count"));

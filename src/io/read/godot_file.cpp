@@ -133,7 +133,6 @@ RationalBezier piece(const Handled& from, const Handled& to) {
 }  // namespace
 
 bool is_godot_file(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   text = trimmed(text);
   return text.starts_with("[gd_resource") || text.starts_with("[gd_scene");
 }

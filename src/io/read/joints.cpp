@@ -61,17 +61,15 @@ class Gaps {
   }
   void close_ends() {
     if (std::holds_alternative<Curve>(segments_.back().form)) return;
-    const auto end = place_at(segments_.back(), 1);
-    const auto start = place_at(segments_.front(), 0);
-    if (!end || !start) return;
-    const auto is_far = [&](const GivenSegment& segment) {
-      auto places = places_on(segment);
-      places.insert(places.begin(), *start);
-      return is_small_beside(*start - *end, places);
-    };
-    if (!std::any_of(segments_.begin(), segments_.end(), is_far)) return;
     const auto way = gap_between(segments_.back(), segments_.front());
     if (!way) return;
+    const Vector<Rational> start = *place_at(segments_.front(), 0);
+    const auto is_far = [&](const GivenSegment& segment) {
+      auto places = places_on(segment);
+      places.insert(places.begin(), start);
+      return is_small_beside(*way, places);
+    };
+    if (!std::any_of(segments_.begin(), segments_.end(), is_far)) return;
     try {
       GivenSegment last = segments_.back();
       move(last, *way, {0, 1});

@@ -21,26 +21,14 @@ std::size_t width_of(const JsonNode& row) {
 
 }  // namespace
 
-bool JsonTable::is_one(const JsonNode& node) {
-  if (!node.is(Kind::array) || node.size() == 0) return false;
-  const Kind kind = node.item(0).is(Kind::object) ? Kind::object : Kind::array;
-  for (std::size_t k = 0; k < node.size(); ++k)
-    if (!node.item(k).is(kind)) return false;
-  return true;
-}
-
 JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
   const JsonNode list(document_);
   list.require(Kind::array, "a list of rows");
   if (list.size() == 0) list.fail("the list is empty");
   const JsonNode first = list.item(0);
-  if (!is_one(list)) {
-    const bool is_odd = first.is(Kind::array) || first.is(Kind::object);
-    for (std::size_t k = 0; k < list.size(); ++k)
-      if (!is_odd || !list.item(k).is(first.is(Kind::array) ? Kind::array : Kind::object))
-        list.item(k).require(is_odd && first.is(Kind::object) ? Kind::object : Kind::array,
-                             is_odd ? "a row like the first" : "a row");
-  }
+  const Kind kind = first.is(Kind::object) ? Kind::object : Kind::array;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    list.item(k).require(kind, k == 0 ? "a row" : "a row like the first");
   if (first.is(Kind::array))
     lay_out_lists(list);
   else

@@ -12,9 +12,6 @@ namespace phrame {
 /// null are no numbers.
 class JsonTable : public NumberTable {
  public:
-  /// Is it a list of lists or of objects, and of nothing else?
-  static bool is_one(const JsonNode& node);
-
   /// Throws InputError for what is no such list, or has no row, and for rows of unequal widths; its
   /// place is a JSON pointer.
   explicit JsonTable(JsonValue document);

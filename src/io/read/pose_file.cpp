@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/frame_node.hpp"
+#include "phrame/io/read/frames_of_table.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/point_table.hpp"
 #include "phrame/io/write/text.hpp"
@@ -125,15 +126,18 @@ Axes axes_of(const GivenFrame& frame, const std::string& place) {
 
 GivenPoints read_table(std::string_view bytes, const PoseReading& wanted,
                        const FileReading& reading) {
-  GivenPoints given = read_points(bytes, reading);
+  PointTable rows = read_points_of_table(bytes, reading);
+  GivenPoints given = std::move(rows.given);
   FrameReading frames;
   frames.is_inverse = wanted.is_inverse;
   frames.skips_invalid = reading.skips_invalid;
   frames.quaternion = wanted.quaternion.value_or(FrameReading::Quaternion::named);
-  const auto table = read_number_table(bytes, {true, "points"});
-  if (table->names().empty() && table->columns() == 8 && !wanted.quaternion)
+  if (rows.table->names().empty() && rows.table->columns() == 8 && !wanted.quaternion)
     frames.quaternion = FrameReading::Quaternion::xyzw;
-  const GivenTable read = read_frames(bytes, frames);
+  // Of the rows that are points; one without an orientation leaves fewer of these.
+  std::vector<std::string> places;
+  for (std::size_t k = 0; k < rows.table->rows(); ++k) places.push_back(rows.table->place(k));
+  const GivenTable read = frames_of_table(std::move(rows.table), frames);
   if (read.frames.size() != given.points.size())
     throw InputError(
         fmt::format("{} with orientations, but {} points: rows without numbers, or "
@@ -141,8 +145,7 @@ GivenPoints read_table(std::string_view bytes, const PoseReading& wanted,
                     counted(read.frames.size(), "row"), given.points.size()));
   GivenPoses poses;
   for (std::size_t k = 0; k < read.frames.size(); ++k) {
-    const std::string place = table->place(std::min(k, table->rows() - 1));
-    poses.bodies.push_back(orientation_of(axes_of(read.frames[k], place), place));
+    poses.bodies.push_back(orientation_of(axes_of(read.frames[k], places[k]), places[k]));
   }
   given.poses = std::move(poses);
   given.tangents.clear();

@@ -25,9 +25,10 @@ class PHRAME_API Parametrization {
   /// Throws DomainError where the file of the path has no parameter but t, and that is asked for.
   explicit Parametrization(const NamedPath& named, ParameterKind kind = ParameterKind::t);
 
-  const Path& path() const { return named_.path; }  ///< along which it is
-  ParameterKind kind() const { return kind_; }      ///< which one
-  Real from() const;                                ///< its value at the start of the path
+  const Path& path() const { return named_.path; }      ///< along which it is
+  ParameterKind kind() const { return kind_; }          ///< which one
+  const PathLength& length() const { return length_; }  ///< along that
+  Real from() const;                                    ///< its value at the start of the path
   /// Its value at the end; it may be less than from() where it is that of formulas.
   Real to() const;
 

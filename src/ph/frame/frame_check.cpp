@@ -62,12 +62,10 @@ Forward forward_of(const Path& path, const std::vector<GivenFrame>& frames) {
 }
 
 /// Of the path there; n only where it is defined.
-ExactFrame exact_frame(const PathAngle& angle, const PathParameter& at, Forward forward,
-                       long bits) {
+ExactFrame exact_frame(const PathAngle& angle, const PathParameter& at, const RealBall& theta,
+                       int side) {
   const Path& path = angle.path();
-  const Vector<Real> H = direction(path, at);
-  ExactFrame exact{H, second_axis(angle, at), std::nullopt, angle.value(at).enclose(bits),
-                   forward == Forward::preimage ? 1 : side_of(path, at)};
+  ExactFrame exact{direction(path, at), second_axis(angle, at), std::nullopt, theta, side};
   try {
     exact.normal = frenet_frame(path, at).e2;
   } catch (const DomainError&) {  // an inflection, or a straight line
@@ -80,13 +78,12 @@ FrameDeviation deviation_of(const PathAngle& angle, const GivenFrame& frame, For
                             long bits) {
   const Path& path = angle.path();
   const PathParameter at = place_of(path, frame);
+  const RealBall theta = angle.value(at).enclose(bits);
+  const int side = forward == Forward::preimage ? 1 : side_of(path, at);
   const auto* ph = std::get_if<PhSegment>(&path.segments()[at.segment]);
-  if (ph != nullptr && angle.reference() == Reference::euler_rodrigues) {
-    const int side = forward == Forward::preimage ? 1 : side_of(path, at);
-    if (auto near = near_deviation(*ph, at.t, angle.value(at).enclose(bits), side, frame, bits))
-      return *std::move(near);
-  }
-  return deviation_from(exact_frame(angle, at, forward, bits), frame, bits);
+  if (ph != nullptr && angle.reference() == Reference::euler_rodrigues)
+    if (auto near = near_deviation(*ph, at.t, theta, side, frame, bits)) return *std::move(near);
+  return deviation_from(exact_frame(angle, at, theta, side), frame, bits);
 }
 
 /// The arc length from a to b; no value where that is not told from 0.

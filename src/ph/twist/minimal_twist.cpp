@@ -81,6 +81,12 @@ bool MinimalTwist::is_middle(const Place& at) const {
   return curve != nullptr && is_turned_over_by_half_turn(*curve, rmf_.up());
 }
 
+Real MinimalTwist::value(const Place& at) const {
+  if (const auto& t = at.t.exact())  // a PH curve by itself goes on
+    locate_inside(path().segments().size(), *t + static_cast<long>(at.segment));
+  return value_less(0, at);
+}
+
 Real MinimalTwist::value(const Rational& t) const {
   return value(locate_inside(path().segments().size(), t));
 }

@@ -53,7 +53,7 @@ class PHRAME_API MinimalTwist {
   /// @{ θ there. At the start it is θ_i and at the end θ_f plus whole turns, exactly; where the
   /// twist is 0 it is exact where θ_RMF and θ_i are. At a t that is not on the path DomainError is
   /// thrown.
-  Real value(const Place& at) const { return value_less(0, at); }
+  Real value(const Place& at) const;
   Real value(const Rational& t) const;
   /// @}
   /// The same less as many whole turns as take θ_i to (−π, π]: f₂ and f₃ depend on that only.

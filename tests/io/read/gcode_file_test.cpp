@@ -117,6 +117,12 @@ TEST_CASE("G-code: what is not read is refused by its line") {
   CHECK(refusal("G21\nM30\n") == "line 2: the program moves along no curve");
 }
 
+TEST_CASE("APT: a program without points is refused, and a mark before the text is no matter") {
+  CHECK(refusal("PARTNO/A\nFINI\n") == "line 1: the program has no GOTO/ and no FROM/");
+  const std::string program = "G0 X0 Y0\nG1 X1 Y2\n";
+  CHECK(read_any_path("\xEF\xBB\xBF" + program).path == read_any_path(program).path);
+}
+
 TEST_CASE("APT: the points of GOTO are joined by lines, or by what is asked for") {
   const std::string text = "PARTNO/A\nFROM/0,0,0\nFEDRAT/100\nGOTO/1,0,0,0,0,1\ngoto / 1, 2.5, 0\n";
   const NamedPath lines = read_any_path(text);

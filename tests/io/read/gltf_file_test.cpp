@@ -58,6 +58,9 @@ TEST_CASE("glTF: what is no curve is refused by its place") {
         "/animations/0/samplers/0: the node moves by STEP, which is no curve");
   CHECK(refusal(gltf(lines, "48", "12", "3 9", "LINEAR")) ==
         "/accessors/1: the buffer ends before the data of the accessor");
+  std::string packed = gltf(lines, "48", "12", "3 3", "LINEAR");
+  packed.insert(packed.find(R"("byteLength": 12)"), R"("byteStride": 0, )");
+  CHECK(refusal(packed) == "/bufferViews/0/byteStride: an element has 4 bytes");
   CHECK(refusal(gltf("!" + lines, "48", "12", "3 3", "LINEAR")) ==
         "/buffers/0/uri: the data is not base64");
   CHECK(refusal(R"({"asset": {"version": "2.0"}})") ==
