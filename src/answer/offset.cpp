@@ -152,11 +152,8 @@ class TrimReport {
   OffsetAnswer::End end(std::size_t piece, const Real& t) const {
     const RationalCurve& curve = trimmed_.offset.pieces[piece].curve;
     const auto at = [&](std::size_t k) {
-      const RationalFunction x(curve.numerator()[k], curve.weight());
-      const Real value = t.exact() ? Real(x(*t.exact())) : Real(Real::Enclosure([&](long bits) {
-        return evaluate(x, t.enclose(bits + 32), bits + 64);
-      }));
-      return rounded(value, "a point of the offset");
+      return rounded(value({curve.numerator()[k], curve.weight()}, Place(0, t)),
+                     "a point of the offset");
     };
     const Real of_path = parameter(piece, t);
     return {of_path, rounded(of_path, "t of a cut"), {at(0), at(1)}};

@@ -196,14 +196,10 @@ Value stretches_value(const OffsetAnswer::Branch& branch) {
     }
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& piece : branch.pieces)
-      list.push_back(
-          {{"from", json_of(piece.from)}, {"to", json_of(piece.to)}, {"join", piece.is_join}});
-    return list;
+  const auto json = [](const OffsetAnswer::TrimmedPiece& x) -> JsonOutput {
+    return {{"from", json_of(x.from)}, {"to", json_of(x.to)}, {"join", x.is_join}};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&branch, json] { return array_of(branch.pieces, json); }};
 }
 
 Fields fields(const OffsetAnswer::Branch& branch) {
@@ -222,22 +218,18 @@ Value undecided_value(const OffsetAnswer::Trimmed& part) {
       list.push_back((is_join ? "near the join at " : "near ") + at(t[0].value, notation));
     return list;
   };
-  const auto json = [&] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& [t, is_join] : part.undecided)
-      list.push_back({{"from", json_of(t[0])}, {"to", json_of(t[1])}, {"join", is_join}});
-    return list;
+  const auto json = [](const OffsetAnswer::UndecidedStretch& x) -> JsonOutput {
+    return {{"from", json_of(x.t[0])}, {"to", json_of(x.t[1])}, {"join", x.is_join}};
   };
-  return {Value::Rows(rows), json};
+  return {Value::Rows(rows), [&part, json] { return array_of(part.undecided, json); }};
 }
 
 /// In words one after the other; in JSON a list.
 Fields fields(const OffsetAnswer::Trimmed& part) {
   Fields list{distance_field(part.distance)};
   const auto json = [&] {
-    JsonOutput branches = JsonOutput::array();
-    for (const auto& branch : part.branches) branches.push_back(json_of(fields(branch)));
-    return branches;
+    return array_of(part.branches,
+                    [](const OffsetAnswer::Branch& branch) { return json_of(fields(branch)); });
   };
   const auto none = [&](Notation) {
     std::vector<std::string> words;

@@ -46,9 +46,7 @@ JsonOutput json_of(const PathTwistAnswer::Leg& leg) {
 
 Fields fields(const PathTwistAnswer& answer) {
   const auto legs = [&answer] {
-    JsonOutput list = JsonOutput::array();
-    for (const auto& leg : answer.legs) list.push_back(json_of(leg));
-    return list;
+    return array_of(answer.legs, [](const PathTwistAnswer::Leg& leg) { return json_of(leg); });
   };
   Fields fields{json_field("phrame", "twist-through/1"),
                 json_field("name", answer.path.name),

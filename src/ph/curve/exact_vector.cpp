@@ -97,8 +97,12 @@ ExactVector exact_direction(const ExpressionCurve& curve, const Rational& t,
   return slope;
 }
 
+namespace {
+constexpr long most_bits = 1024;
+}  // namespace
+
 std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
-                              const ExactVector& b, long most_bits) {
+                              const ExactVector& b) {
   if (a == b) return true;
   const auto p = exact_vector(program, a);
   const auto q = exact_vector(program, b);
@@ -113,7 +117,7 @@ std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& 
 }
 
 std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
-                                        const ExactVector& b, long most_bits) {
+                                        const ExactVector& b) {
   if (a == b) return true;
   const auto p = surd_direction(program, a);
   const auto q = surd_direction(program, b);

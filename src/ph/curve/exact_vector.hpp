@@ -17,11 +17,11 @@ ExactVector exact_direction(const ExpressionCurve& curve, const Rational& t,
 /// @}
 
 /// Are the two vectors equal? Decided where they have the same form or are rational, else by balls
-/// of up to so many bits; no value where they are equal to all these bits.
+/// of up to 1024 bits; no value where they are equal to all these bits.
 std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& a,
-                              const ExactVector& b, long most_bits = 1024);
+                              const ExactVector& b);
 /// Are they positive multiples of each other? Likewise. Neither is 0.
 std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
-                                        const ExactVector& b, long most_bits = 1024);
+                                        const ExactVector& b);
 
 }  // namespace phrame

@@ -27,58 +27,57 @@ bool is_less(const Real& a, const Real& b) {
   return false;
 }
 
-/// The least value of a function that is f(curve) along each segment; its square root where that is
-/// asked for.
-template <class F>
-PathExtreme least(const Path& path, const F& f, bool is_square = false) {
-  std::optional<PathExtreme> found;
-  std::optional<PathExtreme> root;
+/// Visits the values of a function, f(curve) along each segment, where it may be least or greatest:
+/// at joints and at zeros of its derivative, in the order of the path.
+template <class F, class Visit>
+void visit_extremes(const Path& path, const F& f, const Visit& visit) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const RationalFunction g = f(rational_segment(path, k));
-    const auto consider = [&](const Place& at) {
-      PathExtreme next{at, value(g, at)};
-      if (found && !is_less(next.value, found->value)) return;
-      if (is_square)
-        root = PathExtreme{
-            at, at.algebraic ? at.algebraic->square_root(g) : square_root_of(next.value)};
-      found = std::move(next);
-    };
-    consider(Place(k, Rational(0)));
+    const auto visit_at = [&](const Place& at) { visit(PathExtreme{at, value(g, at)}); };
+    visit_at(Place(k, Rational(0)));
     const Polynomial slope = differentiate(g).numerator();
     if (!slope.is_constant())
-      for (const RealRoot& zero : real_roots(slope, closed_interval(0, 1))) consider(Place(k, zero.at));
-    consider(Place(k, Rational(1)));
+      for (const RealRoot& zero : real_roots(slope, closed_interval(0, 1)))
+        visit_at(Place(k, zero.at));
+    visit_at(Place(k, Rational(1)));
   }
-  return is_square ? *root : *found;
 }
 
 }  // namespace
 
 std::array<PathRange, 3> bounding_box(const Path& path) {
   const auto range = [&](std::size_t axis) {
+    std::optional<PathRange> found;
     const auto coordinate = [axis](const RationalCurve& curve) {
       return RationalFunction(curve.numerator()[axis], curve.weight());
     };
-    const auto negative = [axis](const RationalCurve& curve) {
-      return RationalFunction(-curve.numerator()[axis], curve.weight());
-    };
-    PathExtreme greatest = least(path, negative);
-    greatest.value = -greatest.value;
-    return PathRange{least(path, coordinate), std::move(greatest)};
+    visit_extremes(path, coordinate, [&](const PathExtreme& next) {
+      if (!found) found = PathRange{next, next};
+      if (is_less(next.value, found->least.value)) found->least = next;
+      if (is_less(found->greatest.value, next.value)) found->greatest = next;
+    });
+    return *found;
   };
   return {range(0), range(1), range(2)};
 }
 
 PathExtreme nearest_point(const Path& path, const Vector<Rational>& p) {
-  return least(
-      path,
-      [&](const RationalCurve& curve) {
-        const Polynomial& W = curve.weight();
-        const Vector<Polynomial>& X = curve.numerator();
-        const Vector<Polynomial> way{X[0] - p[0] * W, X[1] - p[1] * W, X[2] - p[2] * W};
-        return RationalFunction(dot(way, way), W * W);
-      },
-      true);
+  const auto squared_distance = [&p](const RationalCurve& curve) {
+    const Polynomial& W = curve.weight();
+    const Vector<Polynomial>& X = curve.numerator();
+    const Vector<Polynomial> way{X[0] - p[0] * W, X[1] - p[1] * W, X[2] - p[2] * W};
+    return RationalFunction(dot(way, way), W * W);
+  };
+  std::optional<PathExtreme> found;
+  visit_extremes(path, squared_distance, [&](const PathExtreme& next) {
+    if (!found || is_less(next.value, found->value)) found = next;
+  });
+  const auto& algebraic = found->at.algebraic;
+  found->value =
+      algebraic
+          ? algebraic->square_root(squared_distance(rational_segment(path, found->at.segment)))
+          : square_root_of(found->value);
+  return *found;
 }
 
 }  // namespace phrame

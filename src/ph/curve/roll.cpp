@@ -16,12 +16,6 @@ RationalFunction line(const Rational& a, const Rational& b, long k) {
   return RationalFunction(Polynomial{a - k * slope, slope});
 }
 
-Real value_of(const RationalFunction& f, const Real& t) {
-  if (f.numerator().is_zero()) return Rational(0);
-  if (t.exact()) return f(*t.exact());
-  return Real([f, t](long bits) { return evaluate(f, t.enclose(bits + 8), bits + 8); });
-}
-
 }  // namespace
 
 Roll::Roll(const std::vector<Angle>& at_joints) : is_whole_(false) {
@@ -59,8 +53,8 @@ Real Roll::at(const Place& at) const {
   if (at.t.exact()) return to_real(this->at(PathParameter{at.segment, *at.t.exact()}));
   const Real t = parameter(at);
   const Piece& piece = on(at.segment);
-  const Real pi_times = value_of(piece.half_turns, t);
-  const Real radians = value_of(piece.radians, t);
+  const Real pi_times = value(piece.half_turns, Place(0, t));
+  const Real radians = value(piece.radians, Place(0, t));
   if (pi_times.exact() == Rational(0)) return radians;
   return radians + Real([](long bits) { return pi(bits); }) * pi_times;
 }

@@ -83,14 +83,9 @@ Quaternion<Integer> frame_rotation(const RationalQuaternion& body, const Tangent
   const Rational s = next[tangent.axis];
   RationalQuaternion p = body * RationalQuaternion{1, s, s, s};
   if (tangent.is_reversed) p = p * RationalQuaternion{0, 0, 1, 1};
-  Integer denominators = 1;
-  Integer divisor = 0;
-  for (const Rational* x : {&p.u, &p.v, &p.p, &p.q})
-    denominators = lcm(denominators, denominator(*x));
-  const Quaternion<Integer> whole =
-      each(p, [&](const Rational& x) { return Integer(numerator(Rational(x * denominators))); });
-  for (const Integer* x : {&whole.u, &whole.v, &whole.p, &whole.q}) divisor = gcd(divisor, *x);
-  return each(whole, [&](const Integer& x) { return Integer(x / divisor); });
+  const Rational size =
+      common_content({Polynomial{p.u}, Polynomial{p.v}, Polynomial{p.p}, Polynomial{p.q}});
+  return each(p, [&](const Rational& x) { return Integer(numerator(Rational(x / size))); });
 }
 
 }  // namespace phrame

@@ -7,6 +7,21 @@
 #include <algorithm>
 
 namespace phrame {
+
+Interval interval_of(const CurvePart& part) {
+  return closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
+}
+
+std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
+                                   const Interval& where) {
+  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
+  std::vector<RealAlgebraic> places;
+  const Polynomial common = gcd(gap(0), gap(1));
+  if (common.is_constant()) return places;
+  for (const RealRoot& root : real_roots(common, where)) places.push_back(root.at);
+  return places;
+}
+
 namespace {
 
 /// A point of an offset.
@@ -35,20 +50,6 @@ bool contains(const std::vector<PointPair>& pairs, const PointPair& pair) {
   return std::ranges::any_of(pairs, [&](const PointPair& x) {
     return are_same(x.first, pair.first) && are_same(x.second, pair.second);
   });
-}
-
-Interval interval_of(const CurvePart& part) {
-  return closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
-}
-
-/// Where in that part it goes through the point.
-std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
-                                   const CurvePart& part) {
-  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
-  std::vector<RealAlgebraic> places;
-  for (const RealRoot& root : real_roots(gcd(gap(0), gap(1)), interval_of(part)))
-    places.push_back(root.at);
-  return places;
 }
 
 /// r′ there, of any length, with the sign that counts where it is only known on one side.
@@ -82,7 +83,7 @@ void add_meetings(const OffsetBranches& offset, const CurvePart& one, const Curv
   for (const long end : {0L, 1L}) {
     if (end == 0 ? one.lower > 0 : one.upper < 1) continue;
     const Vector<Rational> at = point(offset.curves[one.segment], end);
-    for (const RealAlgebraic& t : through(offset.curves[other.segment], at, other)) {
+    for (const RealAlgebraic& t : through(offset.curves[other.segment], at, interval_of(other))) {
       const PointPair pair = in_order({one.segment, Rational(end)}, {other.segment, t});
       const bool is_joint = are_same(at_start(offset, pair.first), at_start(offset, pair.second));
       if (!is_joint && !contains(pairs, pair) && crossing_sign(offset, pair) != 0)

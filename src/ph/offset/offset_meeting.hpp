@@ -9,6 +9,12 @@ namespace phrame {
 /// the piece that begins there.
 SelfIntersections self_intersections(const Offset& offset);
 
+/// The parameters of the part.
+Interval interval_of(const CurvePart& part);
+/// Where in that interval the curve goes through the point.
+std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
+                                   const Interval& where);
+
 /// The pieces of one or several offsets as curves.
 struct OffsetBranches {
   std::vector<RationalCurve> curves;  ///< with H along e₁

@@ -122,16 +122,6 @@ std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Ra
                      to_string(middle[1]));
 }
 
-/// Where the curve goes through the point, inside.
-std::vector<RealAlgebraic> passages(const RationalCurve& curve, const Vector<Rational>& at) {
-  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
-  std::vector<RealAlgebraic> found;
-  const Polynomial common = gcd(gap(0), gap(1));
-  if (common.is_constant()) return found;
-  for (const RealRoot& root : real_roots(common, open_interval(0, 1))) found.push_back(root.at);
-  return found;
-}
-
 /// Where in a part of the curve it meets the line or the circle that another one is part of; no
 /// value where that is part of none, or this one, too.
 std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
@@ -154,9 +144,7 @@ std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
   }
   if (gap.is_zero()) return std::nullopt;
   std::vector<RealAlgebraic> found;
-  for (const RealRoot& root : real_roots(
-           gap, closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint())))
-    found.push_back(root.at);
+  for (const RealRoot& root : real_roots(gap, interval_of(part))) found.push_back(root.at);
   return found;
 }
 
@@ -236,8 +224,9 @@ class Trimmer {
   }
   void add_fuzzy(const CurvePart& part, std::size_t place) {
     if (part.segment >= own_) return;
-    const Rational lower = exact_sum(part.lower, 0).midpoint();
-    const Rational upper = exact_sum(part.upper, 0).midpoint();
+    const Interval where = interval_of(part);
+    const Rational lower = *where.lower;
+    const Rational upper = *where.upper;
     events_[part.segment].push_back(
         {Real([lower, upper](long bits) { return hull(lower, upper, bits); }),
          hull(lower, upper, 64), place, true});
@@ -301,7 +290,8 @@ class Trimmer {
     for (const long end : {0L, 1L}) {
       const std::size_t place = b >= own_ ? classes_.add() : end == 0 ? starts_[b] : ends_[b];
       for (const RealAlgebraic& t :
-           passages(stroke_.branches.curves[a], point(stroke_.branches.curves[b], end)))
+           through(stroke_.branches.curves[a], point(stroke_.branches.curves[b], end),
+                   open_interval(0, 1)))
         add_event(a, to_real(t), place);
     }
   }

@@ -5,17 +5,12 @@
 // functions of the parameter that are rational but for φ. On an arc r is the corner, and s = 0.
 #include "phrame/ph/offset/trim_measure.hpp"
 
+#include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
 namespace phrame {
 namespace {
-
-/// f(t), exact where t is.
-Real value(const RationalFunction& f, const Real& t) {
-  if (t.exact()) return f(*t.exact());
-  return cached(Real(
-      Real::Enclosure([f, t](long bits) { return evaluate(f, t.enclose(bits + 32), bits + 64); })));
-}
 
 /// The angle φ of H, continuous.
 class DirectionAngle {
@@ -87,7 +82,7 @@ PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetP
     s = antiderivative(plane_tangent(curve).speed);
   }
   const auto change = [&](const RationalFunction& f) {
-    return value(f, part.to) + -value(f, part.from);
+    return cached(value(f, Place(0, part.to)) + -value(f, Place(0, part.from)));
   };
   const Rational half(1, 2);
   const Rational& d = offset.distance;
@@ -105,14 +100,14 @@ PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetP
 
 BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
                       const TrimmedBranch& branch) {
-  Real length = Rational(0);
-  Real area = Rational(0);
+  std::vector<Real> lengths;
+  std::vector<Real> areas;
   for (const OffsetPart& part : branch.parts) {
-    const PartMeasure more = measure_part(path, trimmed.offset, part);
-    length = length + more.length;
-    area = area + more.area;
+    PartMeasure more = measure_part(path, trimmed.offset, part);
+    lengths.push_back(std::move(more.length));
+    areas.push_back(std::move(more.area));
   }
-  return {length, branch.is_closed ? std::optional(area) : std::nullopt};
+  return {sum_of(lengths), branch.is_closed ? std::optional(sum_of(areas)) : std::nullopt};
 }
 
 }  // namespace phrame

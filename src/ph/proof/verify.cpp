@@ -210,12 +210,14 @@ class AngleCheck {
   /// Precondition: the curve has the frame.
   explicit AngleCheck(const Certificate& c)
       : c_(c), angle_(c.curve, c.reference), rate_(angle_.rate()) {
+    if (c.reference == Reference::frenet) {
+      const GaussianPolynomial bend = regular_bend(c.curve.preimage());
+      argument_.emplace(bend);
+      bend_rate_ = rate_of_argument(bend);
+    }
+    if (!c.logs.empty() || !bend_rate_.is_zero()) return;
     if (const Antiderivative F = integrate(rate_); F.logs.empty())
       rational_ = RationalFunction(F.polynomial) + F.rational;
-    if (c.reference != Reference::frenet) return;
-    const GaussianPolynomial bend = regular_bend(c.curve.preimage());
-    argument_.emplace(bend);
-    turns_ = !rate_of_argument(bend).is_zero();
   }
 
   /// |θ(t) − theta| ≤ radius, exactly where θ is rational, else by quadrature.
@@ -225,7 +227,7 @@ class AngleCheck {
     if (radius < 0) return "the radius is negative";
     const bool is_frenet = c_.reference == Reference::frenet;
     if (claim.t == 0 || (is_frenet && rate_.is_zero())) return unless(abs(value) <= radius, wrong);
-    if (c_.logs.empty() && rational_ && !turns_)
+    if (rational_)
       return unless(abs((*rational_)(claim.t) - (*rational_)(0) - value) <= radius, wrong);
     if (radius == 0)
       return "theta is not rational as far as seen, so that no radius of 0 is proved";
@@ -238,9 +240,8 @@ class AngleCheck {
     if (!argument_) return "";
     if (!(argument_->turn(claim.t) == *claim.turn)) return "the Sturm sequence has other signs";
     // Independent of Sturm: the argument by quadrature of its derivative.
-    const RationalFunction rate = rate_of_argument(regular_bend(c_.curve.preimage()));
     const RealBall rest =
-        subtract(quadrature(rate, 0, claim.t, 60), argument_->difference(claim.t, 60), 60);
+        subtract(quadrature(bend_rate_, 0, claim.t, 60), argument_->difference(claim.t, 60), 60);
     return unless(rest.is_finite() && rest.lower() > -1 && rest.upper() < 1,
                   "quadrature does not confirm the turn");
   }
@@ -291,9 +292,10 @@ class AngleCheck {
   const Certificate& c_;
   RmfAngle angle_;
   RationalFunction rate_;
-  std::optional<RationalFunction> rational_;    ///< θ up to a constant, where it is that
+  /// θ up to a constant, where it is that and the certificate has no logarithm and no turn.
+  std::optional<RationalFunction> rational_;
   std::optional<ContinuousArgument> argument_;  ///< of the bend, with the Frenet frame
-  bool turns_ = false;                          ///< is that not constant?
+  RationalFunction bend_rate_;                  ///< the derivative of that
 };
 
 /// For "decision rrmf: no" the certificate has to show a pole that is not simple, or a residue.

@@ -9,7 +9,6 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"

@@ -18,13 +18,13 @@ constexpr long roll_bits = 96;
 
 }  // namespace
 
-SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form)
-    : even_(form.turn), roll_(form.roll) {
-  if (!roll_.is_zero()) {
+SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form) : even_(form.turn) {
+  double roll_error = 0;
+  if (const Roll& roll = form.roll; !roll.is_zero()) {
     const std::size_t segments = path.series.segments;
-    const std::size_t count = &roll_.on(0) == &roll_.on(segments - 1) ? 1 : segments;
+    const std::size_t count = &roll.on(0) == &roll.on(segments - 1) ? 1 : segments;
     for (std::size_t k = 0; k < count; ++k) {
-      std::array<Roll::Piece, 3> pieces{roll_.on(k)};
+      std::array<Roll::Piece, 3> pieces{roll.on(k)};
       for (std::size_t n = 1; n < 3; ++n)
         pieces[n] = {differentiate(pieces[n - 1].half_turns), differentiate(pieces[n - 1].radians)};
       rolls_.push_back(std::move(pieces));
@@ -33,11 +33,11 @@ SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form)
     constexpr long parts = 64;
     for (std::size_t k = 0; k < segments; ++k)
       for (long n = 0; n < parts; ++n)
-        roll_error_ = std::max(
-            roll_error_,
+        roll_error = std::max(
+            roll_error,
             0x1p-50 * upper_double(absolute(roll_of(
                           0, k, hull(Rational(n, parts), Rational(n + 1, parts), roll_bits)))));
-    error_ = roll_error_;
+    error_ = roll_error;
   }
   // A turn that is only what rounding left of none is left out.
   if (std::abs(form.turn) <= 0x1p-44 && form.legs.empty()) return;
@@ -57,7 +57,7 @@ SweepTurn::SweepTurn(const SweepPath& path, const SweepForm& form)
     greatest = std::max(greatest, std::abs(before) + bend);
     first = leg.end;
   }
-  error_ = (error_ + roll_error_ + (8 + static_cast<double>(legs_.size())) * 0x1p-52 * greatest) *
+  error_ = (error_ + roll_error + (8 + static_cast<double>(legs_.size())) * 0x1p-52 * greatest) *
            sweep_slack;
 }
 
@@ -82,18 +82,17 @@ RealBall SweepTurn::roll_of(std::size_t order, std::size_t segment, const RealBa
 }
 
 double SweepTurn::roll_rate(std::size_t segment, double t) const {
-  if (roll_.is_zero()) return 0;
+  if (rolls_.empty()) return 0;
   return approximate(roll_of(1, segment, RealBall(exact_rational(t), roll_bits)));
 }
 
 double SweepTurn::roll_bound(std::size_t order, std::size_t segment, const RealBall& t) const {
-  return roll_.is_zero() ? 0 : upper_double(absolute(roll_of(order, segment, t)));
+  return rolls_.empty() ? 0 : upper_double(absolute(roll_of(order, segment, t)));
 }
 
 double SweepTurn::angle(std::size_t segment, double t) const {
-  const double rho = roll_.is_zero()
-                         ? 0
-                         : approximate(roll_of(0, segment, RealBall(exact_rational(t), roll_bits)));
+  const double rho =
+      rolls_.empty() ? 0 : approximate(roll_of(0, segment, RealBall(exact_rational(t), roll_bits)));
   if (!share_) return rho;
   double phi = rho + even_ * (*share_)(segment, t);
   if (const Leg* leg = leg_at(segment)) {

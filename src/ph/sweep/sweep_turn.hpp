@@ -13,7 +13,7 @@ class SweepTurn {
   /// Throws Undecided as LengthShare where it turns by the length.
   SweepTurn(const SweepPath& path, const SweepForm& form);
 
-  bool is_zero() const { return !share_ && roll_.is_zero(); }  ///< does it not turn?
+  bool is_zero() const { return !share_ && rolls_.empty(); }  ///< does it not turn?
   /// At t ∈ [0, 1] of a segment.
   double angle(std::size_t segment, double t) const;
   double rate(std::size_t segment, double t) const;       ///< dφ/ds there
@@ -38,13 +38,11 @@ class SweepTurn {
   double share_of(const Leg& leg, std::size_t segment, double t) const;
 
   double even_;  ///< turn over the whole length
-  Roll roll_;
-  /// Of each segment, or one for all; its first two derivatives as well.
+  /// The roll of each segment, or one for all, with its first two derivatives; none where it is 0.
   std::vector<std::array<Roll::Piece, 3>> rolls_;
   RealBall roll_of(std::size_t order, std::size_t segment, const RealBall& t) const;
   std::optional<LengthShare> share_;
   std::vector<Leg> legs_;
-  double roll_error_ = 0;
   double error_ = 0;
 };
 
