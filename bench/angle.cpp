@@ -6,7 +6,7 @@
 
 #include "curves.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -10,7 +10,7 @@
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/twist/minimal_twist.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

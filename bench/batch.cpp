@@ -4,7 +4,7 @@
 #include "curves.hpp"
 #include "phrame/io/batch.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 void batch(benchmark::State& state, long digits, bool values_only) {

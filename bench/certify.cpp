@@ -8,7 +8,7 @@
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -4,7 +4,7 @@
 #include "curves.hpp"
 #include "phrame/ph/proof/classify.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

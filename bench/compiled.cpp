@@ -12,7 +12,7 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "quintic.h"  // by phrame compile
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -13,7 +13,7 @@
 #include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 /// Knuth's 64-bit linear congruential generator; its upper bits are used.

@@ -3,7 +3,7 @@
 
 #include "phrame/phrame.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 
 /// A curve file: u, v, p, q of degree m with random integer coefficients in [−9, 9], the same in
 /// every run. The curve has degree 2m + 1.

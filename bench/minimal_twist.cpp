@@ -6,7 +6,7 @@
 #include "phrame/ph/twist/twist_frame.hpp"
 #include "phrame/ph/twist/wronskian_frame.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

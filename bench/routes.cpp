@@ -7,7 +7,7 @@
 
 #include "curves.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 QuaternionPolynomial mapped(const QuaternionPolynomial& a,

@@ -7,7 +7,7 @@
 #include "phrame/answer/interpolation.hpp"
 #include "phrame/io/write/frame_table.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -8,7 +8,7 @@
 #include "phrame/answer/rational_sweep.hpp"
 #include "phrame/io/write/mesh.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -7,7 +7,7 @@
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
-namespace phrame::bench {
+namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(empty "#include \"phrame/io/write/page_template.hpp\"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 const std::vector<std::string_view>& page_template() {
   static const std::vector<std::string_view> pieces;

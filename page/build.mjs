@@ -57,7 +57,7 @@ writeFileSync(
   `// Made from page/ by its build.mjs.
 #include "phrame/io/write/page_template.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 const std::vector<std::string_view>& page_template() {
   static const std::vector<std::string_view> pieces{

@@ -1,7 +1,7 @@
 #pragma once
 
 /// All of phrame: this file declares the types that programs use, by the rooms that they are in.
-namespace phrame {
+namespace phrame::inline v0 {
 
 // algebra
 class Integer;

@@ -1,6 +1,6 @@
 #include "answers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 Form form_named(const std::string& name) {
   return chosen<Form>(name, "form",

@@ -1,7 +1,7 @@
 #pragma once
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 Form form_named(const std::string& name);
 Style style_named(const std::string& name);

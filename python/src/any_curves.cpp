@@ -1,6 +1,6 @@
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// The path of these pieces; what is wrong with one is an error of the argument.

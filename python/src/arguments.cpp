@@ -1,6 +1,6 @@
 #include "arguments.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 std::string text(nb::handle x, const std::string& place) {
   if (PyUnicode_Check(x.ptr()) == 0) refuse_type(place, "a str", x);

@@ -4,7 +4,7 @@
 
 #include "numbers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// What an argument is called.
 template <std::size_t N>

@@ -3,7 +3,7 @@
 #include "frame_source.hpp"
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 FrameKind frame_kind(const std::string& name, const PathObject& self) {

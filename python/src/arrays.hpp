@@ -5,7 +5,7 @@
 #include "jobs.hpp"
 #include "parameters.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// How many numbers an array of this shape has.
 inline std::size_t product(const std::vector<std::size_t>& shape) {

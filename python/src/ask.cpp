@@ -2,7 +2,7 @@
 
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 std::string ask(const std::string& line, nb::handle path) {

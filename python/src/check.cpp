@@ -1,6 +1,6 @@
 #include "answers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// A list as it is now: what was given may change later.

@@ -1,6 +1,6 @@
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 std::string basis_named(const std::string& name) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// Of A: which of its components at a joint are those of what comes next, up to a positive factor.

@@ -9,7 +9,7 @@
 
 #include "parameters.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// The coordinates of a point, at doubles.
 using RoundedPoint = std::array<RoundedPolynomial, 3>;

@@ -1,6 +1,6 @@
 #include "general_source.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 GeneralSource::GeneralSource(Parametrization along, std::optional<PathAngle> angle, FrameKind kind,
                              StartAngle start)

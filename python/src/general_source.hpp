@@ -1,7 +1,7 @@
 #pragma once
 #include "frame_source.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// What frames of a path of any kind are asked for: where they start, by their kind.
 struct GeneralFrames {

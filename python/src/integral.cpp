@@ -4,7 +4,7 @@
 
 #include "answers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 struct IntegralObject {

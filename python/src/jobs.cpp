@@ -12,7 +12,7 @@
 #include <optional>
 #include <thread>
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// Threads that live as long as the process: what FLINT keeps for each of them is kept once.

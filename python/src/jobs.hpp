@@ -4,7 +4,7 @@
 
 #include "numbers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// Work on numbers 0 … n − 1, which several threads do, without Python. It owns what it reads and
 /// writes: where it is interrupted, nobody waits for it.

@@ -1,6 +1,6 @@
 #include "numbers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// The exceptions of the library as those of phrame._errors.

@@ -5,7 +5,7 @@
 
 #include "arguments.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 std::string type_of(nb::handle x) { return nb::type_name(x.type()).c_str(); }

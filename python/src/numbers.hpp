@@ -13,7 +13,7 @@
 
 #include "insides.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 namespace nb = nanobind;
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 Parameters parameters(std::vector<Rational> fractions) {
   Parameters found;

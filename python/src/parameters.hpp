@@ -5,7 +5,7 @@
 
 #include "numbers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// Parameters: doubles where all of them are, else fractions.
 struct Parameters {

@@ -2,7 +2,7 @@
 
 #include "answers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 // ---- totals

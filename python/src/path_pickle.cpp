@@ -2,7 +2,7 @@
 
 // Segments: (turned over, X₁, X₂, X₃, W), (u, v, p, q, f, r(0)) of a PH curve and (turned over,
 // from, to, variable, x, y, z) of formulas.
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 nb::object packed(const Formula& f) {

@@ -1,7 +1,7 @@
 #include "answers.hpp"
 #include "arrays.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// The columns x, y, z.

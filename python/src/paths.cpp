@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 PathObject::PathObject(NamedPath path) : named(std::move(path)), ph(as_ph(named)) {}
 

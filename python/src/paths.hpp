@@ -5,7 +5,7 @@
 #include "insides.hpp"
 #include "values.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// What frames of a path were asked for last.
 struct Sources {

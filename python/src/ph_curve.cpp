@@ -2,7 +2,7 @@
 
 // What there is of one PH curve: of another path a DomainError says which segment is none, or that
 // there are several. And transformations, which are there of all.
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0], v[1], v[2]); }

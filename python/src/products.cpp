@@ -2,7 +2,7 @@
 
 #include "paths.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 /// A table as a structured array, with its columns by name.

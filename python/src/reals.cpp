@@ -3,7 +3,7 @@
 
 #include "values.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 nb::object decimal_digits(const RealNumber& x, nb::handle digits) {

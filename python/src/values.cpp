@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 namespace {
 
 template <class T>

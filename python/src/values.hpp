@@ -1,7 +1,7 @@
 #pragma once
 #include "numbers.hpp"
 
-namespace phrame::python {
+namespace phrame::inline v0::python {
 
 /// A Polynomial, or its coefficients from the lowest on.
 Polynomial polynomial(nb::handle x, const std::string& place);

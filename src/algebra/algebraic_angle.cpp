@@ -15,7 +15,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The one in (−1, 1] that differs from it by an even number.

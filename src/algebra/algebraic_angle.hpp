@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An angle up to whole turns, π·half_turns + Σ arg zₖ with zₖ = x + y·√−d ≠ 0 for rational x, y
 /// and d > 0: the argument of an algebraic number. Whether it is a rational multiple of π is

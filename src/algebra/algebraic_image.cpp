@@ -6,7 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RealAlgebraic affine(const RealAlgebraic& x, const Rational& factor, const Rational& shift) {
   if (factor == 0) throw DomainError("affine: the factor 0");

@@ -2,7 +2,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// factor·x + shift. Throws DomainError for factor = 0.
 RealAlgebraic affine(const RealAlgebraic& x, const Rational& factor, const Rational& shift);

@@ -6,7 +6,7 @@
 // With the irreducible polynomial P of t, n(t)/d(t) = c ∈ ℚ if and only if P divides n − c·d, that
 // is n ≡ c·d modulo P: the remainders of n and d are proportional.
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 AlgebraicPoint::AlgebraicPoint(RealAlgebraic t) : t_(std::move(t)) {}
 

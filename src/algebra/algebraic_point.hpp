@@ -3,7 +3,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/algebra/shared.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A real algebraic number t at which many functions are evaluated: its enclosures are shared. A
 /// value is exact where it is rational, which is decided by algebra; else it is irrational, so that

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/algebraic_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Real to_real(const Angle& angle) {
   if (angle.half_turns == 0) return angle.radians;

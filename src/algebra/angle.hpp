@@ -4,7 +4,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An angle known exactly: π·half_turns + radians. It is rational where half_turns = 0 only,
 /// because π is not.

@@ -5,7 +5,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The continuous argument of γ(t) ∈ ℂ along the real line, counted from t = 0. No root is found:
 /// the difference of principal arguments is exact up to whole turns, and these are counted by the

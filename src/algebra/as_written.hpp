@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A number as somebody would write it, for messages: "1/3", and "4.0000000001" for what was given
 /// as that decimal or as the double nearest to it; a long fraction is abbreviated.

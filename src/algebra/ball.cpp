@@ -3,7 +3,7 @@
 #include <memory>
 #include <ostream>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Rational exact_value(const arf_t x) {

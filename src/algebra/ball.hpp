@@ -3,7 +3,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A set [midpoint − radius, midpoint + radius] that contains a real number. Functions of balls
 /// return a ball that contains every value on their arguments, computed with `bits` bits of

@@ -1,6 +1,6 @@
 #include "phrame/algebra/ball_log.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RealBall log(RealBall x, long bits) {
   arb_log(x.raw(), x.raw(), bits);

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Logarithms, of complex numbers the principal ones, with an imaginary part in (−π, π] and all of
 // [−π, π] where the ball meets the negative real axis; log1p(x) = log(1 + x), accurate also next to

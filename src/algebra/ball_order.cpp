@@ -1,6 +1,6 @@
 #include "phrame/algebra/ball_order.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 bool is_less(const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.raw()) != 0; }
 

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What is certain of all numbers in balls: their order, their size and the integers among them.
 // Where it is not, as where a ball is not finite, the answer is false, or no value.

@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A part [start, start + width] of [0, 1], and the Bernstein coefficients there.

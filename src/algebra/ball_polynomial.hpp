@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial in one variable with real balls for coefficients: all the polynomials whose
 /// coefficients lie in them.

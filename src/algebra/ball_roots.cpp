@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/roots.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The roots of the polynomial in the middle, as coefficients: each in its own scale, which the

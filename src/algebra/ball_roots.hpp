@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball_polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is known of the roots of a polynomial with balls for coefficients.
 struct BallRoots {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Every coefficient is unknown.

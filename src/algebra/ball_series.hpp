@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/ball_polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Polynomials with real balls for coefficients as power series in t, of which the coefficients of
 // t⁰, …, t^{length−1} are computed.

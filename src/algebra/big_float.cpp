@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 BigFloat::BigFloat(const Rational& x, long bits) : bits_(bits) {
   arf_set_fmpq(raw(), x.raw(), bits, ARF_RND_NEAR);

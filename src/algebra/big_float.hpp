@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A floating-point number with the number of bits that it is computed with. Results are rounded to
 /// nearest, with the bits of the operand that has more, and nothing is known of their errors: these

@@ -6,7 +6,7 @@
 #include "phrame/algebra/hadamard.hpp"
 #include "phrame/algebra/modular_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Bivariate::Bivariate(std::vector<Polynomial> ascending) : coefficients_(std::move(ascending)) {
   while (!coefficients_.empty() && coefficients_.back().is_zero()) coefficients_.pop_back();

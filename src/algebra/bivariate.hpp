@@ -2,7 +2,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial in t whose coefficients are polynomials in x: an element of ℚ[x][t].
 class PHRAME_API Bivariate {

@@ -14,7 +14,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_bits = 1L << 18;

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/real_algebraic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A real algebraic number x given by enclosures, with bounds that tell how near to 0 a polynomial
 /// in x can come without being 0 there.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Polynomial compact(Polynomial p) {
   fmpq_poly_struct* const raw = p.raw();

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The same polynomial in as little memory as it needs, to be kept: FLINT gives a number the room
 /// that greater ones had before in its place.

@@ -1,6 +1,6 @@
 #include "phrame/algebra/complex_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Every coefficient is unknown.

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A power series in one variable with complex balls for coefficients, of which the first ones are
 /// there: the Taylor series of an analytic function around every point of a disc, where the first

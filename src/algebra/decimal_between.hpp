@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is known of a number between the two, as a decimal without a wrong digit: the one with so
 /// many significant digits, or fewer, to which both round. "0.25"; "0.2 to 0.3", bounds, where not

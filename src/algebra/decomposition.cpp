@@ -8,7 +8,7 @@
 
 #include "phrame/algebra/resultant.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The only h that d may be a polynomial of.

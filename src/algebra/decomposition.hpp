@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// n/d·dt = outer_n(h)/outer_d(h)·dh: a fraction that is one of h(t), times h′. Then it has at t
 /// the residue of outer_n/outer_d at h(t).

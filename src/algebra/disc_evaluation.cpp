@@ -2,7 +2,7 @@
 // at the middle, |p(m + δ) − p(m)| ≤ Σ |cₖ|·|δ|ᵏ, which is nearly the best.
 #include "phrame/algebra/disc_evaluation.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The greatest |z − middle|.

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball_polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is z as small as points are at this precision? A disc next to a pole is not, however small:
 /// there Horner's rule gives a ball that is much larger than the distance to the pole squared.

@@ -17,7 +17,7 @@
 //
 // Where p(0) = 0 the last step adds nothing to s_1·y, and every error above has a factor y.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr double u = 0x1p-53;

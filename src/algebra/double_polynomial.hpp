@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error_free.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How `width` polynomials in y, |y| ≤ 1, of the same degree are kept in doubles: the coefficients
 /// below y^paired as sums of two doubles, the others as one. In memory they follow as Horner's rule

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numeric>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Complex = std::complex<double>;

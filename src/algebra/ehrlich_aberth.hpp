@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Enclosures of all complex roots of the squarefree f, one root in each, in no order; those of
 /// real roots are exactly real. Each is at least sixteen times as far from the next as it is wide,

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/zero_bound.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// x, x − 1, 1 + x or 1 − x², which must not be negative.

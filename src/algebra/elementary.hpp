@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The names of functions of one real number: "exp", "log", "sin", "arctan", …, as NumPy has them.
 std::vector<std::string_view> elementary_functions();

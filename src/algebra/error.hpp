@@ -4,7 +4,7 @@
 
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What every exception of phrame derives from.
 class PHRAME_API Error : public std::runtime_error {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2 && FLT_EVAL_METHOD <= 64,
               "doubles are computed with more digits");

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The integer next to x·10^places, half to even: x correctly rounded to so many decimals. 0 is no
 /// boundary here. Throws Undecided as round_to_double().

@@ -2,7 +2,7 @@
 
 #include <mpfr.h>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 void release_caches() {
   flint_cleanup_master();

@@ -43,7 +43,7 @@
 #include "phrame/export.hpp"
 #endif
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Frees what FLINT, Arb and MPFR keep for later use in this thread: numbers, and digits of π. Call
 /// it when no number of ours exists any more, for a leak checker to be content.

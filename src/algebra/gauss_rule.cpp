@@ -1,6 +1,6 @@
 #include "phrame/algebra/gauss_rule.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 GaussRule gauss_rule(long n, long bits) {
   GaussRule rule;

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Gauss's rule on [−1, 1]: Σ weightₖ·f(pointₖ) is ∫ f for every polynomial f of a degree < 2n.
 struct GaussRule {

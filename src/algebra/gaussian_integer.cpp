@@ -13,7 +13,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/handle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr unsigned largest_divisor = 10'000;

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// re + i·im.
 struct GaussianInteger {

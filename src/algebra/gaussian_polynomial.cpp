@@ -16,7 +16,7 @@
 #include "phrame/algebra/modular.hpp"
 #include "phrame/algebra/rational_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// a times an integer, over ℤ[i].

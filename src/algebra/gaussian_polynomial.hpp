@@ -2,7 +2,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial over ℚ(i): re + i·im.
 struct GaussianPolynomial {

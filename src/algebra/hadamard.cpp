@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using flint::Mag;

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Bounds of determinants of Sylvester matrices by Hadamard's inequality, after the substitution
 // t → 2ˢt that makes them least: for all coefficients of one size s = 0 does, for roots of size r

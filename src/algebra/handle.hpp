@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/flint.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The rule of five for a C struct, written once. `C` names the struct and its four functions.
 /// A moved-from handle equals a default-constructed one; moves and swaps do not throw.

@@ -11,7 +11,7 @@
 // one: F′(T) does not contain 0, and F − y has different signs at the ends of T. A slope that is
 // positive on T makes F increasing on [0, 1] ∪ T, so the t found is the one looked for.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The points of a ball that are in [0, 1]. A ball has a rounded radius, so that it may be wider,

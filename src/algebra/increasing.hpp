@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A function F that is continuous and strictly increasing on [0, 1], by enclosures that become as
 /// narrow as one asks. The slope may be 0 at points, and its enclosure on a wide ball may be any.

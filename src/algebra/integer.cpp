@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void require_divisor(const Integer& a, const Integer& b) {

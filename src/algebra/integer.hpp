@@ -8,7 +8,7 @@
 #include "phrame/algebra/handle.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What C++ calls an integer, but for truth values.
 template <class T>

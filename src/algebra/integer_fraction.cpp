@@ -1,6 +1,6 @@
 #include "phrame/algebra/integer_fraction.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 IntegerFraction integer_fraction(const Polynomial& n, const Polynomial& d) {
   const Polynomial scaled = (1 / content(d)) * n;

@@ -2,7 +2,7 @@
 #include "phrame/algebra/integer.hpp"
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// numerator/(scale·denominator), scale > 0, denominator primitive: a fraction of polynomials over
 /// ℚ as it is reduced modulo primes.

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The mirror that takes x to (alpha, 0, …, 0): its normal replaces x.

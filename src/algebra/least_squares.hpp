@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Small dense systems in doubles, for guesses. Nothing is proved here.
 

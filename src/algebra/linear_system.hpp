@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The numbers x_k with Σ x_k · columns[k] = right side, as an identity of the coefficients of
 /// t⁰, …, t^{equations−1}. No value where the system is not square or is singular.

@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// (x·a + y·b + z·c)/2⁶⁴ mod p [Montgomery 1985]. The sum is below 3p² < 2⁶⁴p for p < 2⁶², so that

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A machine word: a prime p, or a number modulo p, in [0, p).
 using Word = ulong;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 ModularAlgebra::ModularAlgebra(const ModularPolynomial& d)
     : modulus_(d),

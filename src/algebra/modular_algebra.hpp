@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/modular.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// 𝔽ₚ[t]/(d), d squarefree of degree N ≥ 1, with the linear forms on it. A form ℓ is the list of
 /// its values at 1, t, …, t^{N−1}, kept as a polynomial in z: Σ ℓ(tᵏ) zᵏ.

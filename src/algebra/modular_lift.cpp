@@ -1,6 +1,6 @@
 #include "phrame/algebra/modular_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// FLINT's trees for many primes: one precomputation, then any number of reductions and lifts.

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/modular.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is looked for modulo one prime, given the inputs modulo that prime; no value where the
 /// prime tells nothing.

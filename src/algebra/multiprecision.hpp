@@ -7,7 +7,7 @@
 
 // Our numbers as those of Boost.Multiprecision, for programs that compute with these. Nothing of
 // phrame includes this header: Boost's take seconds to compile.
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// @{ The same number.
 PHRAME_API boost::multiprecision::mpz_int to_boost(const Integer& x);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The nearest float, but not beyond the greatest one.
 inline float as_float(double x) {

@@ -1,6 +1,6 @@
 #include "phrame/algebra/numerical_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Integrand {

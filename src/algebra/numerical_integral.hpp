@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Encloses f(z): for a ball z around which f is not analytic, an infinite ball.
 using AnalyticFunction = std::function<ComplexBall(const ComplexBall& z, long bits)>;

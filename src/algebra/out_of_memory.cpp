@@ -17,7 +17,7 @@
 #include "phrame/algebra/flint.hpp"
 #include "phrame/algebra/time_limit.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr std::size_t reserve_size = std::size_t{1} << 21;

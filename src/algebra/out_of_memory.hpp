@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// From now on GMP, MPFR, FLINT and Arb throw std::bad_alloc where they would end the process for
 /// want of memory, and std::runtime_error for what else they would end it for. The functions of

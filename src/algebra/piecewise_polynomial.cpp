@@ -9,7 +9,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Is no coefficient known worse than to 2^−bits times the greatest?

@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/double_polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Polynomials in y = (t − center)·scale, |y| ≤ 1, which is exact in doubles, but for underflow,
 /// where t is one in the piece: the scale is a power of two, and the center 0 or so near that

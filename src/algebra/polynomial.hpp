@@ -8,7 +8,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial over ℚ in one variable. Degree of 0 is −1.
 class PHRAME_API Polynomial {

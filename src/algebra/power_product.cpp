@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_unit(const GaussianInteger& a) { return norm(a) == 1; }

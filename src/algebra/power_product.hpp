@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/gaussian_integer.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A power with a rational exponent, of which only products are asked for.
 struct Power {

@@ -1,6 +1,6 @@
 #include "phrame/algebra/power_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Polynomial truncated(Polynomial p, long n) {
   fmpq_poly_truncate(p.raw(), n);

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Polynomials over ℚ as power series of which only the first coefficients count, or read from the
 // other end.

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/time_limit.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of the stage that is heard.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How far a loop is that may take long.
 struct Progress {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = Radical::Kind;

@@ -4,7 +4,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A number written with rational numbers, i, + − · /, √ and ∛, both principal:
 ///   √x = exp(log(x)/2),  ∛x = exp(log(x)/3),  −π < Im log ≤ π,  √0 = ∛0 = 0.

@@ -29,7 +29,7 @@
 //   so that the latter is > 0, and E > 0. Then the radicands −w − 2p ± 2q/E are real, the greater
 //   one is that with the sign of q, and how many of them are > 0 is half the number of real roots.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Radical times_i(const Radical& x) { return Radical::imaginary_unit() * x; }

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/radical.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// All roots of a squarefree polynomial whose irreducible factors have degree ≤ 4, by Cardano's
 /// and Ferrari's formulas [Farouki 2003, Appendix A], in the order of isolate_roots(p, …): real

@@ -11,7 +11,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Rational::Rational(const Integer& n, const Integer& d) {
   if (d == 0) throw DomainError(fmt::format("division of {} by 0", abbreviated(n.str())));

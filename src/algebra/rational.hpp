@@ -6,7 +6,7 @@
 #include "phrame/algebra/integer.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A fraction of integers of any size, always in lowest terms with a positive denominator: FLINT's
 /// fmpq. A moved-from fraction is 0. Boost's fractions are one conversion away

@@ -9,7 +9,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// p(n/d)·d^degree, degree ≥ deg p, by Horner's scheme.

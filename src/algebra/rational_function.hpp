@@ -4,7 +4,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational function over ℚ in lowest terms: gcd(numerator, denominator) = 1, the denominator
 /// has coprime integer coefficients and a positive leading one. Zero is 0/1.

@@ -1,6 +1,6 @@
 #include "phrame/algebra/rational_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RationalLift::RationalLift(std::size_t count) : lifted_(count) { fmpz_one(product_.get()); }
 

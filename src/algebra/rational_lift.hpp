@@ -5,7 +5,7 @@
 #include "phrame/algebra/handle.hpp"
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Rational numbers from their residues modulo more and more primes. A candidate is returned once
 /// one more prime has confirmed it; that makes it likely, and a check of the result proves it.

@@ -6,7 +6,7 @@
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/algebra/shared.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of x + y and x·y, of which one at most is exact, and that one not 0 in a product.

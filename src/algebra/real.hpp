@@ -6,7 +6,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct AngleForm;
 

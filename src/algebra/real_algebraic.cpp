@@ -10,7 +10,7 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/roots.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::strong_ordering order(const Rational& x, const Rational& y) {

@@ -9,7 +9,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A real algebraic number: the one root of an irreducible polynomial in an interval. A rational
 /// number r is the root of the primitive multiple of t − r in the point [r, r]; the interval of any

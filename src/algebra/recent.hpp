@@ -4,7 +4,7 @@
 #include <mutex>
 #include <unordered_map>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Values by number that are made when they are first asked for, of which the last so many are
 /// kept. Any thread may ask; two that ask for the same one at a time may both make it.

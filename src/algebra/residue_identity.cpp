@@ -22,7 +22,7 @@
 #include "phrame/algebra/integer_fraction.hpp"
 #include "phrame/algebra/modular_algebra.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// integer_rows() of one v.

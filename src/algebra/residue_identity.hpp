@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/bivariate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is v(c(z), z) = 0 for every root z of d and every v of the list, where c = n/d′ is the residue
 /// of n/d at z? Decided modulo primes: one denies it, and so many that a bound is reached prove it.

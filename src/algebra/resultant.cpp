@@ -13,7 +13,7 @@
 #include "phrame/algebra/modular_algebra.hpp"
 #include "phrame/algebra/modular_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// χ, monic. Needs p > N.

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The residue polynomial R(x) = res_t(n(t) − x·d′(t), d(t)), primitive: its roots are the residues
 /// n(z)/d′(z) of n/d, a residue met at k poles being a root of multiplicity k. deg R = deg d.

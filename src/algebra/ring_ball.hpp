@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A real ball as a number of a ring, for templates that are written for any: its operations are
 /// add, subtract and multiply with so many bits.

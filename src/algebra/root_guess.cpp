@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Complex = std::complex<double>;

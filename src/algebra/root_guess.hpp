@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct RootGuess {
   std::vector<ComplexBall> points;  ///< exact

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/root_guess.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// One interval Newton step. The mean value form p(m) = (m − z)·w holds with w in the convex hull

@@ -2,7 +2,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Enclosures of all roots of a squarefree polynomial over ℚ, one root in each.
 struct Roots {

@@ -16,7 +16,7 @@
 // rounding of M; degree and range are such that underflow, 2^−1069 for a step and multiplied by
 // |t| ≤ 2 in each that follows, is nothing beside 2^−190·M.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_steps = 64;

@@ -4,7 +4,7 @@
 #include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The values of a polynomial over ℚ at doubles, correctly rounded, to nearest with ties to even:
 /// by Horner's rule with sums of two doubles and a bound of the error, some tens of nanoseconds for

@@ -10,7 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/fixed_point.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Rational power_of_two(long k) {
   const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(k));

@@ -8,7 +8,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where Ziv's loop gives up: at factor · (the bits of the result + those the number was made
 /// from) + offset bits of precision; never, where the number is known to be irrational.

@@ -2,7 +2,7 @@
 #include <memory>
 #include <mutex>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is known to some number of bits, and to more when more are asked for: kept for all copies,
 /// whichever thread asks. To move one is to copy it.

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The number of sign changes in a sequence, zeros skipped.

@@ -5,7 +5,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A part of the real line. A missing end is infinite (and open).
 struct Interval {

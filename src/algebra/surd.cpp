@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // With g = gcd(d, e) it is g·√((d/g)·(e/g)).
 RootProduct multiply_roots(const Integer& d, const Integer& e) {

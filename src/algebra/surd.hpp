@@ -4,7 +4,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// √d·√e = factor·√radicand.
 struct RootProduct {

@@ -12,7 +12,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Radical to_radical(const Surd& x) {
   Radical sum;

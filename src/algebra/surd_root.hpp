@@ -4,7 +4,7 @@
 #include "phrame/algebra/radical.hpp"
 #include "phrame/algebra/surd.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The roots by descending radicands.
 Radical to_radical(const Surd& x);

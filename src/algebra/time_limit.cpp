@@ -11,7 +11,7 @@
 #include <limits>
 #include <thread>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Tick = std::int64_t;

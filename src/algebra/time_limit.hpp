@@ -3,7 +3,7 @@
 
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Thrown in a computation whose time is over, or when all are stopped. No Error, so that nobody
 /// takes it for an answer and tries another way.

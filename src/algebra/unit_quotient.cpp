@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Rounding errors of sums of products of doubles and of their factors are counted with it.

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/ball.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// c·N/(D√S) as a function of x ∈ [−1, 1], with D and S coprime to 0 at x = 0: D(0) ≠ 0, S(0) > 0.
 struct UnitQuotient {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 long bits_for(std::size_t count) { return bit_length(Integer(static_cast<long>(count))); }

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/unit_quotient.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The two recurrences of unit_series(), in fixed point: all is in units of 2^−Q, and every step
 // counts what it leaves over in the equation that it is made from.

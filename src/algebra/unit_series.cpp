@@ -18,7 +18,7 @@
 // 3. The coefficients of ∫y are rounded once more, at both ends.
 // All these are counted in units of 2^−Q.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Upwards, for sums and products of up to 10⁶ doubles ≥ 0.

@@ -2,7 +2,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/unit_quotient.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An antiderivative of G = ν/(δ√σ) on [−1, 1], as in unit_factor(), nearly.
 struct UnitSeries {

@@ -7,7 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Polynomial shifted(const Polynomial& p, long k) {

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rational_function.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational function c·tᵏ·n/d that is brought to lowest terms only when it must be, because a gcd
 /// after every step is what makes long computations in ℚ(t) slow. A monomial has n = d = 1, and its

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_bits = 1L << 16;

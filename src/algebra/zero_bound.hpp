@@ -5,7 +5,7 @@
 
 #include "phrame/algebra/real_algebraic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a number of a field was made from: a root, or √x for an x of the field of others. It
 /// adjoins a number of this degree. Equal roots are one generator, and so are copies of one √x.

@@ -6,7 +6,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {

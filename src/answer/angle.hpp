@@ -6,7 +6,7 @@
 #include "phrame/ph/along/parametrization.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the angle θ of the rotation-minimizing frame to a reference frame.
 struct AngleQuery {

@@ -10,7 +10,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::vector<double> camera_times(const std::vector<Rational>& numbers,

@@ -4,7 +4,7 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The places and rotations of a camera at some times. It looks along its −z axis, which is e₁; its
 /// y axis, up in the picture, is the first vector f₂ of the frame, and its x axis, to the right, is

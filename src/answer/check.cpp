@@ -2,7 +2,7 @@
 
 #include "phrame/ph/frame/frame_check.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 CheckAnswer answer(const NamedPath& named, const CheckQuery& query) {
   const PathAngle angle = angle_to(query.options.up, named.path);

@@ -3,7 +3,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks how far given frames are from the rotation-minimizing one.
 struct CheckQuery {

@@ -1,6 +1,6 @@
 #include "phrame/answer/classification.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 ClassificationAnswer answer(const NamedPath& named, const ClassificationQuery&) {
   return {named, classify(named.path)};

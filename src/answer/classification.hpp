@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/proof/classify.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks which kinds of PH curves a path and its segments are.
 struct ClassificationQuery {};

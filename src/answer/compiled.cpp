@@ -7,7 +7,7 @@
 #include "phrame/ph/frame/compiled_rotation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 double greatest_error(const PiecewisePolynomial& p) {

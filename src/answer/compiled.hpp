@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class PiecewisePolynomial;
 

@@ -21,7 +21,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Task {

@@ -8,7 +8,7 @@
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/curve/named.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What kind of PH curves a construction is made of.
 enum class CurveKind { quintic, planar, cubic, helical, rrmf, rmf, c2, c2_hermite };

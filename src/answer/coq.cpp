@@ -14,7 +14,7 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Effort = CoqAnswer::Effort;

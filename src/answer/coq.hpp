@@ -2,7 +2,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for a proof of a value of the angle that Coq checks.
 struct CoqQuery {

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_closed) {
   if (end_normal && is_closed)

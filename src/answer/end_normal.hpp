@@ -3,7 +3,7 @@
 
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Throws DomainError where the path is closed and has an end normal nevertheless.
 void require_open(const std::optional<Vector<Rational>>& end_normal, bool is_closed);

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A number that is not negative: correctly rounded, or, where it may be 0, an upper bound.
 struct ErrorSize {

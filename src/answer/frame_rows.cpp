@@ -17,7 +17,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "t = 3/2", "t ≈ 1.33"; no value where t is not known to be algebraic.

@@ -5,7 +5,7 @@
 #include "phrame/answer/row_places.hpp"
 #include "phrame/answer/table_row.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The rows of a frame_table(), one by one.
 class FrameRows {

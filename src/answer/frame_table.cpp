@@ -13,7 +13,7 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/table_row.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 const char* name_of(TabulatedScalar kind) {
   switch (kind) {
     case TabulatedScalar::arc_length:

@@ -7,7 +7,7 @@
 #include "phrame/ph/twist/path_twist.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The frames that a table can hold beside t, r and e₁.
 enum class TabulatedFrame {

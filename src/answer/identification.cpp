@@ -1,6 +1,6 @@
 #include "phrame/answer/identification.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 IdentificationAnswer answer(const NamedHodograph& query, const std::optional<Rational>& epsilon) {
   IdentificationAnswer result{query.name, identify(query.hodograph, query.start)};

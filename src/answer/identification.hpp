@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/named.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Whether a curve is PH, and its preimage.
 struct IdentificationAnswer {

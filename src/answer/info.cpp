@@ -13,7 +13,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 InfoAnswer::Length rounded_length(const Real& length, const std::string& name, long digits) {

@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/nearest.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the length, the twist, the energy and other numbers of a path.
 struct InfoQuery {

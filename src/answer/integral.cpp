@@ -1,6 +1,6 @@
 #include "phrame/answer/integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of what is shown with sums over poles.

@@ -6,7 +6,7 @@
 #include "phrame/integrate/path_end.hpp"
 #include "phrame/integrate/pole_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The integral of a rational function, and its value from one end to another.
 struct IntegralQuery {

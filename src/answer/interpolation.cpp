@@ -11,7 +11,7 @@
 #include "phrame/answer/table_row.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 void require_few_rows(const InterpolationQuery& query, const Integer& ticks) {
   if (const Integer rows = ticks + 1; rows > query.most_rows)

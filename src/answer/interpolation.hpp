@@ -4,7 +4,7 @@
 #include "phrame/ph/along/feedrate.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the points of a motion at the times 0, period, 2·period, …
 struct InterpolationQuery {

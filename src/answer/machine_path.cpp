@@ -14,7 +14,7 @@
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 RealBall in_degrees(const RealBall& radians, long bits) {

@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The vector of a frame that a tool is along, from its tip to the spindle.
 enum class ToolAxis { e1, f2, f3 };

@@ -4,7 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The rational frame, or, unless it is needed, why there is none, or none was found.

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the frame that turns least from one orientation at the start of a path to another at
 /// its end.

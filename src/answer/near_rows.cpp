@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The least and the greatest of the numbers, as doubles.

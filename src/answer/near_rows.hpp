@@ -6,7 +6,7 @@
 #include "phrame/ph/frame/compiled_length.hpp"
 #include "phrame/ph/frame/compiled_point.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// From so many rows on it pays to compile a path.
 std::size_t many_rows(const Path& path, bool is_by_length);

@@ -8,7 +8,7 @@
 #include "phrame/ph/offset/offset_trim.hpp"
 #include "phrame/ph/offset/trim_measure.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// With 12 digits.

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/offset.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the offsets of a plane PH path at some distances.
 struct OffsetQuery {

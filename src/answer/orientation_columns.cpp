@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct FrameNames {

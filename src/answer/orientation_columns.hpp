@@ -4,7 +4,7 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/answer/table_row.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Writes what a table has of one frame into its rows, one row after the other: two vectors, the
 /// quaternion, the matrix.

@@ -13,7 +13,7 @@
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long page_digits = 17;

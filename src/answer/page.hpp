@@ -9,7 +9,7 @@
 #include "phrame/answer/totals.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for all that a page shows of a path: its frames, its angle, its numbers, and frames that
 /// somebody else has computed for it.

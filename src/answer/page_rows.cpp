@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of so many segments all turns are shown, of more the farthest ones.

@@ -4,7 +4,7 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/ph/along/turns.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The maxima and minima of the graphs along a path.
 struct PathTurns {

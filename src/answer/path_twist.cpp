@@ -7,7 +7,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/answer/rounded.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 PathTwistAnswer answer(const NamedPath& named, const PathTwistQuery& query) {
   if (!named.frame) throw DomainError("no orientations come with this path");

@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How does the frame turn that has the orientations which come with a path?
 struct PathTwistQuery {

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long coefficient_bits = 64;  ///< of the w of frames of minimal twist

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/sweep/rational_sweep.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for an exact body: a profile swept along a path in a rational frame.
 struct RationalSweepQuery {

@@ -4,7 +4,7 @@
 #include "phrame/answer/error_size.hpp"
 #include "phrame/ph/along/path_totals.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The number, correctly rounded by round_to_decimal(). Where that is Undecided, the message begins
 /// with the name of the number.

@@ -1,6 +1,6 @@
 #include "phrame/answer/row_places.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RowPlaces::RowPlaces(std::vector<Place> at, std::vector<Rational> numbers, bool are_lengths)
     : at_(std::make_shared<const std::vector<Place>>(std::move(at))),

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where the rows of a table are along a path, and by which numbers they were asked for. Where
 /// these are parameters or arc lengths, places are found when they are asked for. Copies share the

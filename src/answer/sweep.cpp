@@ -12,7 +12,7 @@
 #include "phrame/ph/sweep/sweep_section.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The angle from the last frame to f₂ along v, in (−π, π].

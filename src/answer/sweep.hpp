@@ -11,7 +11,7 @@
 #include "phrame/ph/sweep/sweep.hpp"
 #include "phrame/ph/sweep/sweep_scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the mesh of a body: a profile swept along a path in its rotation-minimizing frame.
 struct SweepQuery {

@@ -5,7 +5,7 @@
 
 #include "phrame/answer/frame_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What its column is called.
 const char* name_of(TabulatedScalar kind);

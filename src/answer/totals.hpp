@@ -3,7 +3,7 @@
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for integrals along a path from its start to its end, as its length.
 struct TotalsQuery {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/answer/rounded.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The parameter of the curve at an inflection of a piece.

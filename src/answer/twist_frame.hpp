@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is shown of one piece of a rational frame of minimal twist.
 struct TwistPieceAnswer {

@@ -6,7 +6,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Row = TotalsAnswer::Row;

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/answer/totals.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The writhe and the self-linking number of a path that is closed with a continuous tangent, or
 /// why there is none. Where that is undecided, the row says so.

@@ -7,7 +7,7 @@
 #include "phrame/ph/twist/twist_error.hpp"
 #include "phrame/ph/twist/wronskian_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void add_rates(WronskianAnswer& answer, const Curve& curve) {

@@ -5,7 +5,7 @@
 #include "phrame/ph/twist/frame_weight.hpp"
 #include "phrame/ph/twist/wronskian_planes.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Asks for the pair of polynomials by which the Euler–Rodrigues frame of a curve is turned nearest
 /// to a rotation-minimizing one [Peng, Pang, Pan 2023].

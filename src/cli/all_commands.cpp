@@ -2,7 +2,7 @@
 
 #include "phrame/cli/command.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 const CommandTable& all_commands() {
   static const auto table = [] {

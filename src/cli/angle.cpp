@@ -6,7 +6,7 @@
 #include "phrame/cli/form.hpp"
 #include "phrame/io/write/answers.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct AngleOptions {

@@ -1,6 +1,6 @@
 #include "phrame/cli/command.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 const CommandTable& answering_commands() {
   static const CommandTable table{

@@ -6,7 +6,7 @@
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 std::string question_table(const CommandTable& table) {
   Program program("phrame", "", "");

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/cli/question.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 // What a program asks that has no command line: the Python package.
 

@@ -26,7 +26,7 @@
 #include "phrame/cli/question.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct BatchOptions {

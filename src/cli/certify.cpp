@@ -2,7 +2,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/certificate.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct CertifyOptions {

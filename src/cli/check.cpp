@@ -10,7 +10,7 @@
 #include "phrame/io/write/check.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct CheckOptions {

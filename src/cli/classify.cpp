@@ -3,7 +3,7 @@
 #include "phrame/io/write/answers.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct ClassifyOptions {

@@ -20,7 +20,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// What is read by `read(text, options)` of the file.

@@ -12,7 +12,7 @@
 #include "phrame/ph/curve/roll.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// What is undefined for the value of an option is an error there.
 template <class Make>

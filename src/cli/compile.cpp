@@ -3,7 +3,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/c_header.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct CompileOptions {

@@ -7,7 +7,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/option_list.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 std::string words(const std::vector<std::string>& list, const char* separator = " ") {

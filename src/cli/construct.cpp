@@ -12,7 +12,7 @@
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct ConstructOptions {

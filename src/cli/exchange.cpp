@@ -1,6 +1,6 @@
 #include "phrame/cli/exchange.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 thread_local Exchange* current_exchange = nullptr;

@@ -5,7 +5,7 @@
 
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// While it lives, a command of this thread reads and writes here, not files and streams: it
 /// answers a line of a batch, beside others in other threads. There is one at a time in a thread.

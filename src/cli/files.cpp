@@ -15,7 +15,7 @@
 #include "phrame/cli/watchdog.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }

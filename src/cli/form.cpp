@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 const std::vector<std::pair<std::string, FormChoice>>& forms() {

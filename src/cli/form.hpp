@@ -4,7 +4,7 @@
 #include "phrame/integrate/other_form.hpp"
 #include "phrame/io/write/cas_script.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// --form: what the logarithms run over, and how the result is written.
 struct FormChoice {

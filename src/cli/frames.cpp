@@ -12,7 +12,7 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct FramesOptions {

@@ -2,7 +2,7 @@
 #include "phrame/cli/listing.hpp"
 #include "phrame/cli/option_list.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct HelpOptions {

@@ -6,7 +6,7 @@
 #include "phrame/cli/terminal.hpp"
 #include "phrame/io/write/passage.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// The words of the text in lines of at most `width`, each after the first behind `indent` blanks,

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/cli/program.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 // What --help shows, made of the list of options that manual pages and completion are made of, too.
 

@@ -10,7 +10,7 @@
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/nearness.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct IdentifyOptions {

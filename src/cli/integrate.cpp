@@ -5,7 +5,7 @@
 #include "phrame/io/read/endpoint.hpp"
 #include "phrame/io/write/answers.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct IntegrateOptions {

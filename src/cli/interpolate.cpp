@@ -5,7 +5,7 @@
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/gcode.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct InterpolateOptions {

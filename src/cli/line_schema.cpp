@@ -6,7 +6,7 @@
 #include "phrame/cli/option_list.hpp"
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 using OptionList = std::vector<ListedOption>;

@@ -13,7 +13,7 @@
 #include "phrame/algebra/time_limit.hpp"
 #include "phrame/cli/command.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 28;

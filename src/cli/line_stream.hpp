@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// A file descriptor, closed at the end unless it is a standard one.
 class Descriptor {

@@ -3,7 +3,7 @@
 #include "phrame/cli/option_list.hpp"
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// null where there is none.

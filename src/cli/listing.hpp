@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/cli/program.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 // The table of commands and options for other programs, made of what help, manual pages and
 // completion are made of. Of all commands, or of `only` this one.

@@ -7,7 +7,7 @@
 #include "phrame/cli/option_list.hpp"
 #include "phrame/version.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// Text that roff shows as it is: a "-" may be copied, nothing is a command.

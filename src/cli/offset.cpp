@@ -4,7 +4,7 @@
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct OffsetOptions {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 std::string on_one_line(const std::string& text) {

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/cli/program.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// An option or argument of a command, as manual pages and completion tell of it, and as a key of a
 /// line of a batch and a keyword of Python's ask().

@@ -4,7 +4,7 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/write/page.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct PageOptions {

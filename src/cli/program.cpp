@@ -11,7 +11,7 @@
 #include "phrame/cli/watchdog.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// "a", "a or b", "a, b or c".

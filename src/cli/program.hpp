@@ -11,7 +11,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// Whole numbers, the ends included.
 struct WholeNumbers {

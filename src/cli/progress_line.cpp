@@ -13,7 +13,7 @@
 
 #include "phrame/algebra/progress.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;

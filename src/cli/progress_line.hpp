@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// While it lives, and until end_progress(), a line on the terminal says which command is at work,
 /// how far it is (Stage) and for how long; after the first second, and gone at the end. Nothing

@@ -12,7 +12,7 @@
 #include "phrame/io/write/failure.hpp"
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 using Kind = JsonNode::Kind;

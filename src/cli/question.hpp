@@ -6,7 +6,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/json_node.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// For lines that do not say otherwise.
 struct QuestionDefaults {

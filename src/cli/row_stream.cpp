@@ -12,7 +12,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/cli/command.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 constexpr std::size_t block_rows = 1024;

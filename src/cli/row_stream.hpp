@@ -2,7 +2,7 @@
 #include "phrame/answer/frame_rows.hpp"
 #include "phrame/io/write/row_format.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// What write_rows() has written.
 struct WrittenRows {

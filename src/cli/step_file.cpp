@@ -8,7 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/step_body.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// Beside the program, as it is installed and in a build.

@@ -15,7 +15,7 @@
 #include "phrame/io/write/mesh.hpp"
 #include "phrame/io/write/surface.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct SweepOptions {

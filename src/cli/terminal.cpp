@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 std::string_view variable(const char* name) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 // What the screen is like that is written to, if it is one.
 

@@ -2,7 +2,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/answers.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct TotalsOptions {

@@ -2,7 +2,7 @@
 
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 /// The angle or vector that is given, at that end; the latter has a part across the tangent there.

@@ -2,7 +2,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// What the frames of minimal twist of `mtf` and `frames` depend on.
 struct TwistOptions {

@@ -8,7 +8,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/io/read/suggestion.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 using Options = std::vector<const CLI::Option*>;

@@ -5,7 +5,7 @@ namespace CLI {
 class ParseError;
 }
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// What is wrong with the first word, or that it is missing; empty where it is a command or an
 /// option.

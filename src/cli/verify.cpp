@@ -13,7 +13,7 @@
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 struct VerifyOptions {

@@ -11,7 +11,7 @@
 
 #include "phrame/cli/progress_line.hpp"
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 namespace {
 
 void end_after(double seconds, const std::stop_token& over) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-namespace phrame::cli {
+namespace phrame::inline v0::cli {
 
 /// While it lives, and until end_watch(), it ends the program after so many seconds, with a line on
 /// stderr and status 4. There is one at a time.

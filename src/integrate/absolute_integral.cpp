@@ -5,7 +5,7 @@
 // With the changes c₁ < … < cₙ before t and the sign s at the start, ∫₀ᵗ |f| is
 //   s·(F(c₁) − (F(c₂) − F(c₁)) + … ± (F(t) − F(cₙ))) = s·(2F(c₁) − 2F(c₂) + … + (−1)ⁿ·F(t)).
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 AbsoluteIntegral::AbsoluteIntegral(const RootQuotient& f) : integral_(f) {
   const Polynomial& N = integral_.integrand().numerator;

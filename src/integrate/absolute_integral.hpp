@@ -7,7 +7,7 @@
 #include "phrame/integrate/algebraic_integral.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// ∫₀ᵗ |N/(D√S)| for t in [0, 1]: a TaylorIntegral from one change of the sign of N to the next,
 /// which are decided by algebra. Copies are cheap and share what was found; any thread may ask.

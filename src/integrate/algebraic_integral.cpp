@@ -12,7 +12,7 @@
 // as t·N/(D√S), or tends to a constant, which its derivative does not show: so the degree of A is
 // known. Another algebraic antiderivative would be its conjugate with −√S, up to a constant.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_unknowns = 40;

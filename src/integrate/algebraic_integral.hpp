@@ -5,7 +5,7 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// factor·√radicand, an antiderivative of some N/(D√S).
 struct AlgebraicIntegral {

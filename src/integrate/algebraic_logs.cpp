@@ -14,7 +14,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_product.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long first_root_bits = 256;

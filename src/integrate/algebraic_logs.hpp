@@ -5,7 +5,7 @@
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The change of logarithms with residues in ℚ(i) from a to b over π, where that is rational with a
 /// denominator that is not large. The ends may be algebraic: from v(a) and v(b), which lie in the

@@ -13,7 +13,7 @@
 #include "phrame/algebra/power_series.hpp"
 #include "phrame/integrate/residue_derivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 RationalFunction derivative_by_power_sums(const LogSum& sum) {

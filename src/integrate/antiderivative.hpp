@@ -3,7 +3,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Σ c(α) · log v(α, t) over the complex roots α of q.
 /// ∫ dt/(t² + 1) is q = 4x² + 1, c = x, v = t + 2x.

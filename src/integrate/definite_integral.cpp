@@ -19,7 +19,7 @@
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::optional<Rational> rational(const Endpoint& end) {

@@ -5,7 +5,7 @@
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/exact_value.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The value of a definite integral.
 struct DefiniteIntegral {

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// −1, 0, 1 for −∞, a finite end, ∞.

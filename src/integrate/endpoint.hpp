@@ -5,7 +5,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// −∞ and ∞.
 enum class Infinity { negative, positive };

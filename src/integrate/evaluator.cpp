@@ -18,7 +18,7 @@
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/short_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of the first ball: enough for a double, so that it is often the last.

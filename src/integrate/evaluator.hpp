@@ -8,7 +8,7 @@
 #include "phrame/integrate/antiderivative.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct SimpleFraction;
 

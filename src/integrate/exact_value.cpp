@@ -4,7 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/log_change.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 ExactValue exact_value(const Rational& x) { return {x, 0, {}, {}}; }
 

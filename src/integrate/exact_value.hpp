@@ -5,7 +5,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// rational + (pi + irrational_pi)·π + Σ factor·log(of) + Σ factor·arctan(of). In the logarithms
 /// of > 1 and the factors are different, in the arctangents of > 0, of ≠ 1, and the arguments are

@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/surd.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// v(α, t) for deg v < 2 in x and α = a + bi.

@@ -4,7 +4,7 @@
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Logarithms written with real functions as far as their residues lie in ℚ(i):
 ///   Σ factor·log|of(t)| + Σ factor·arg of(t) + the sums whose residues do not.

@@ -3,7 +3,7 @@
 #include "phrame/algebra/bivariate.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // With D = D⁻·D*, D⁻ = gcd(D, D′), D* squarefree: every step lowers the order of the poles of A/D
 // by one. B is chosen with A ≡ −B·D*·(D⁻)′/D⁻ modulo the squarefree part of D⁻; then A/D − (B/D⁻)′

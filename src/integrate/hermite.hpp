@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/rational_function.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// f = rational′ + rest, where rest has a squarefree denominator and no polynomial part: the
 /// integral of f is `rational` plus logarithms only.

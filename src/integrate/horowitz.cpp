@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/linear_system.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RationalPart horowitz_reduce(const RationalFunction& f) {
   if (!f.is_proper()) throw DomainError("horowitz_reduce: the function has a polynomial part");

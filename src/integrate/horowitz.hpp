@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/hermite.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The same decomposition as hermite_reduce by the linear system of Horowitz and Ostrogradsky
 /// [Farouki 2003, §3, (19)–(22)]: p = q₂p₁′ − s·p₁ + q₁p₂. A dense system of

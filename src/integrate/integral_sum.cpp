@@ -11,7 +11,7 @@
 // is apart from it differs from it by a linear form in logarithms that is not 0, so that it is
 // transcendental [Baker 1975].
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_known(const KnownIntegral& integral) { return integral.value.value.exact().has_value(); }

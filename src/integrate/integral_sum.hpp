@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/definite_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// factor · ∫ f from `from` to `to`, where F is an antiderivative of f without a pole between them.
 struct IntegralPart {

@@ -6,7 +6,7 @@
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Full partial fractions have the smallest field extension exactly where a sum's residues are

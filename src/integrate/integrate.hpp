@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How the logarithms are written.
 enum class Form {

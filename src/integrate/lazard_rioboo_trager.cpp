@@ -33,7 +33,7 @@
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/log_argument.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// P_1, …, P_count.

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/partial_fractions.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// ∫ f = Σ_k Σ_{Q_k(α)=0} α log v_k(α, t), where ∏ Q_kᵏ is the squarefree factorization of the
 /// residue polynomial and v_k(α, t) a constant times ∏ (t − z) over the k poles z with the residue

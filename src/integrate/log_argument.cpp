@@ -8,7 +8,7 @@
 #include "phrame/algebra/modular.hpp"
 #include "phrame/algebra/rational_lift.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The coefficients of v/lead(v) but the leading one modulo q, deg q numbers each; no value where p

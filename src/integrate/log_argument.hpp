@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/bivariate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// v(α, t) up to a constant for each root α of q: v over its leading coefficient, modulo q, where
 /// deg q ≤ 2 or that is found to be about as short as v; else primitive_part(v). Not proved to be

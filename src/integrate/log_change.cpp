@@ -8,7 +8,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A rational point beyond which, towards the end, Re v has no zero.

@@ -4,7 +4,7 @@
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The change of logarithms with residues in ℚ(i) on the way from a to b, each a logarithm of a
 /// positive rational or an angle of a Gaussian rational with whole turns:

@@ -1,6 +1,6 @@
 #include "phrame/integrate/other_form.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 OtherForm other_form(const Antiderivative& F, Style style) {
   switch (style) {

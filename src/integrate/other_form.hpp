@@ -5,7 +5,7 @@
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/integrate/real_form.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How an antiderivative is written.
 enum class Style {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::vector<SimpleFraction> simple_fractions(const RationalFunction& f) {
   if (!f.is_proper()) throw DomainError("simple_fractions: the function has a polynomial part");

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// n/d with d irreducible over ℚ (primitive) and deg n < deg d, n ≠ 0: one term of the partial
 /// fraction decomposition over ℚ of a function with simple poles.

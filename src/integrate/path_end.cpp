@@ -9,7 +9,7 @@
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// g where the end is g(π) or rational; no value where it is another.

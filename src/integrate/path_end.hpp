@@ -3,7 +3,7 @@
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// g(π), where g ∈ ℚ(x) is not constant: a transcendental number [Baker 1975, chapter 1], so that
 /// it is no pole of a rational function, and the same number as h(π) only for h = g.

@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_log.hpp"
 #include "phrame/algebra/ball_order.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// z ↦ log((b − z)/(a − z)) = log(1 + (a − b)/(z − a)), accurate also for b close to a.

@@ -6,7 +6,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Σ c(z) · log(t − z) over the roots z of squarefree polynomials, which are isolated once, and
 /// refined when more precision is asked for. Copies share what is known of the roots, and any

@@ -14,7 +14,7 @@
 // lie on the real or on the imaginary axis Sturm's theorem says. Once no more balls meet the axis
 // than numbers lie on it, these are the ones.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long sufficient_bits = 48;  // 12 digits are 40 bits

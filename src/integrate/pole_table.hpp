@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The real or the imaginary part of a pole or residue.
 struct PolePart {

@@ -29,7 +29,7 @@
 #include "phrame/algebra/power_series.hpp"
 #include "phrame/algebra/surd_root.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// t² + pt + q.

@@ -2,7 +2,7 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/partial_fractions.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// (αt + β)/(t² + pt + q).
 struct QuadraticFraction {

@@ -1,6 +1,6 @@
 #include "phrame/integrate/quadrature.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Is d = p(z) so inexact because more precision is needed, and not because z is a large ball?

@@ -3,7 +3,7 @@
 #include "phrame/algebra/numerical_integral.hpp"
 #include "phrame/algebra/rational_function.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 inline constexpr long most_points_by_default = 100'000;
 

@@ -5,7 +5,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long largest_solved_degree = 4;

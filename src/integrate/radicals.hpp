@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Σ c(x) · log v(x, t) over the roots x of q, which are written in radicals.
 struct RadicalSum {

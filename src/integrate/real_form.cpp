@@ -22,7 +22,7 @@
 #include "phrame/integrate/quadratic_fields.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Has a + b√d a real zero? At a real root of a² − d·b² it has one where a·b ≤ 0.

@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An antiderivative in real functions, continuous wherever its derivative is:
 ///   polynomial + rational + Σ factor·log|of| + Σ factor·√radicand·arctan(√radicand·of)

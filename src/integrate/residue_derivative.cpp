@@ -15,7 +15,7 @@
 #include "phrame/algebra/residue_identity.hpp"
 #include "phrame/integrate/log_argument.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// s₀, …, s_count from s₀ = k, s_i = −i·c_i − Σ_{0<j<i} c_j·s_{i−j} for v = lead(v)·(tᵏ + c₁tᵏ⁻¹ +

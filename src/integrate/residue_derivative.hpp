@@ -3,7 +3,7 @@
 
 #include "phrame/integrate/antiderivative.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// (Σ α·log v(α, t))′ over the roots α of an index, proved; no value where the residue of the sum
 /// is not x, or some t is a zero of v(α, t) twice or for two α. Found modulo a few primes, as the

@@ -11,7 +11,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// x ≥ 0 rounded up to about 64 bits.

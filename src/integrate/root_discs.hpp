@@ -6,7 +6,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A disc that holds one root of q, above the real axis, and one that holds the residue of n/q
 /// there. Integers stand for multiples of 2^−bits.

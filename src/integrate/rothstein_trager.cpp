@@ -6,7 +6,7 @@
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

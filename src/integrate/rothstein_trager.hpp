@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/partial_fractions.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Simple fractions with the same residues.
 struct EqualResidues {

@@ -11,7 +11,7 @@
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long least_gain = 4;   // bits that a term gives

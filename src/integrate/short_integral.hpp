@@ -4,7 +4,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/integrate/endpoint.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// x = ∫ₐᵇ f, where b is so near to a, measured by the distance of the poles of f, that few terms
 /// of the Taylor series at a are enough; no value elsewhere. However small x is, it is known

@@ -21,7 +21,7 @@
 // antiderivative and its error; the parts get as many bits as their shares of the whole need.
 // No root of D or S is asked for.
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// [middle − 2^−(level+1), middle + 2^−(level+1)].
 struct SeriesPart {

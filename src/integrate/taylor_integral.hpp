@@ -4,7 +4,7 @@
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// N/(D√S) with polynomials over ℚ.
 struct RootQuotient {

@@ -23,7 +23,7 @@
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/algebra/roots.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of a denominator; sums over more poles are not recognised.

@@ -5,7 +5,7 @@
 #include "phrame/integrate/endpoint.hpp"
 #include "phrame/integrate/partial_fractions.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Σ exponent·log base + multiple·π.
 struct TurnedLogs {

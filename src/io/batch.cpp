@@ -18,7 +18,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

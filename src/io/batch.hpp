@@ -8,7 +8,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What holds for the lines of a batch that do not say otherwise.
 struct BatchDefaults {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool has_right_tangents(const FrameVerdict& verdict) {

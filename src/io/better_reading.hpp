@@ -2,7 +2,7 @@
 #include "phrame/answer/check.hpp"
 #include "phrame/io/read/frame_csv.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Another reading of a table of frames than the one by which they fail.
 struct BetterReading {

@@ -8,7 +8,7 @@
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Increasing numbers that are not those of the rows.

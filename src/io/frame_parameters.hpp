@@ -2,7 +2,7 @@
 #include "phrame/ph/along/parametrization.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where on a path frames are, by something else than its t.
 struct FrameParameters {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr double rounding = 1e-12;

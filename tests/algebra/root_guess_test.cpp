@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Sorted by their real parts, each with its relative distance to what is wanted.

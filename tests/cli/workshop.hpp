@@ -12,7 +12,7 @@
 #include "support/text.hpp"
 
 // The program as its users meet it: arguments, streams, files, exit statuses.
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 namespace fs = std::filesystem;
 

@@ -15,7 +15,7 @@
 #include "support/data.hpp"
 
 // The reference values of tests/data, and how a printed decimal is compared with them: exactly.
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 using Json = nlohmann::json;
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// The quintic of [Farouki 2003], §5.
 inline const Curve quintic({from_bernstein({2, 0, 2}), from_bernstein({1, 1, 0}),

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// The path of `name`, "/curves.jsonl", below tests/data, and of "/README.md" below the root. One
 /// source file knows where these are (main.cpp), so that the objects of all others depend on

@@ -3,7 +3,7 @@
 
 #include "support/random.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// Of 53 random bits and any sign, below 2^60, rarely below 2^−113.
 inline double any_double(Random& random) {

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/energy.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// ∫κ² ds to 26 bits, or infinite.
 inline double energy_of(const Curve& curve) {

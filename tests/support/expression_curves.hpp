@@ -6,7 +6,7 @@
 #include "phrame/io/read/formula.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// The curve with these components, s from `from` to `to`.
 inline ExpressionCurve expression_curve(const Vector<const char*>& r, const char* from,

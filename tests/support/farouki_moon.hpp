@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/curve.hpp"
 #include "support/data.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// tests/data/farouki-moon-2018.json: what is known of the examples "example1", "example2" and
 /// "example3" of [Farouki, Moon 2018].

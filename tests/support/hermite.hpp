@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// From (0, 0, 0), on [0, 1].
 inline HermiteSpline one_segment(const Vector<Rational>& step, const Vector<Rational>& d0,

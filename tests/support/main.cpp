@@ -6,7 +6,7 @@
 #include "support/data.hpp"
 #include "support/skip.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 namespace {
 
 bool is_skipped = false;

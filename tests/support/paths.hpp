@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// The curve on [0, 1], cut at these places.
 inline PhPath cut(const Curve& curve, std::vector<Rational> at) {

@@ -8,7 +8,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// Random objects from one seed, biased to the corners: zero, units, repeated factors, huge
 /// heights.

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// A test case cannot be tried here, since something is missing. If nothing fails the program of
 /// the tests ends with 77, and ctest says that this file's test was not run; its other cases were.

@@ -4,7 +4,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/surd.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 inline RealBall value(const Surd& x, long bits) {
   RealBall sum;

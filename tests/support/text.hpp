@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;

@@ -3,7 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "", "-", "31", "5/8*": what stands before π.

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Reads an angle, exactly: radians ("0.3927", "-3/7"), a multiple of π ("pi/8", "-31pi/40",
 /// "0.125pi", "5/8*pi", "π") or degrees ("45deg", "-22.5°"); blanks around these parts do not

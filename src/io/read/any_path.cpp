@@ -27,7 +27,7 @@
 #include "phrame/io/read/three_file.hpp"
 #include "phrame/io/read/three_scene.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using GivenSegments = std::vector<GivenSegment>;

@@ -4,7 +4,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Reads a path of curves of any kind, exactly (docs/curve-files.md):
 ///   curve/1, with `preimage`, `quaternions` or `hopf`; `control_points`, perhaps with `weights`;

@@ -7,7 +7,7 @@
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A whole number from 1 to `most`.

@@ -4,7 +4,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Points of the plane, for which z = 0, or of space: all of as many coordinates as the first.
 std::vector<Vector<Rational>> read_points_of_any_dimension(const JsonNode& list);

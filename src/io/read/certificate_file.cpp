@@ -10,7 +10,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

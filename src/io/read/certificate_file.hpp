@@ -3,7 +3,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is refused because it would take too long.
 struct CertificateLimits {

@@ -7,7 +7,7 @@
 
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // Letters and powers as they stand in headers, in lower case.

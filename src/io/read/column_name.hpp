@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What stands above a column: "X [mm]", "x (m)", "y/mm".
 struct ColumnName {

@@ -6,7 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string names_of(const std::vector<CurveLabel>& labels) {

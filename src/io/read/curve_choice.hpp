@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a curve of a file that may have several is called; either may be empty.
 struct CurveLabel {

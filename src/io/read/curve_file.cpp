@@ -14,7 +14,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Node = JsonNode;

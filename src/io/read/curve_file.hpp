@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/named.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A place in a JSON document; its definition is not public.
 class JsonNode;

@@ -2,7 +2,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/json_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What curve files are made of.
 

@@ -23,7 +23,7 @@
 #include "phrame/ph/curve/ellipse_arc.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct DxfGroup {

@@ -5,7 +5,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Does the text begin as a DXF file in ASCII?
 bool is_dxf_file(std::string_view text);

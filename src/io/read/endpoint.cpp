@@ -9,7 +9,7 @@
 #include "phrame/io/read/expression_token.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Reads tokens from the left.

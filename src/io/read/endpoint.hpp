@@ -2,7 +2,7 @@
 #include "phrame/integrate/path_end.hpp"
 #include "phrame/io/read/expression.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Reads an end:
 ///   an expression without a variable: "3/7", "1e-3", "(1+2)/3";

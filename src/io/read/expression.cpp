@@ -16,7 +16,7 @@
 // Values are computed as soon as an operation is complete. A sum stays open for further summands
 // while it is a left operand.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Operand {

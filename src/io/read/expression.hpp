@@ -6,7 +6,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational function that somebody has typed.
 struct Expression {

@@ -4,7 +4,7 @@
 #include "phrame/io/read/formula.hpp"
 #include "phrame/ph/curve/rational_form.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A number, or a formula of the variable, which is learnt from the first that has one.

@@ -8,7 +8,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

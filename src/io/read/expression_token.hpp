@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What may stand between the tokens of an expression.
 inline constexpr std::string_view blanks = " \t\r\n";

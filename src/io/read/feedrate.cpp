@@ -5,7 +5,7 @@
 #include "phrame/io/read/expression_token.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Feedrate parse_feedrate(std::string_view text) {
   ExpressionLimits limits;

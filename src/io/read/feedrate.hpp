@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/along/feedrate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Reads a feedrate as it is typed, a rational function of s (arc length), t (parameter) or kappa,
 /// also κ (signed curvature of a plane curve): "50", "10 + 2*s", "5 + t^2", "5/(1 + 2*kappa)".

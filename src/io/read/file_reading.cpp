@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 void FileReading::refuse_skipping(std::string_view what) const {
   if (skips_invalid && !skips_where_possible)

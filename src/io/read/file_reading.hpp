@@ -5,7 +5,7 @@
 
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How a file is to be read, beside the limits.
 struct PHRAME_API FileReading {

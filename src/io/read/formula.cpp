@@ -12,7 +12,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/io/read/operator_reader.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using FormulaOp = Formula::Operation;

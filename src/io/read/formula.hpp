@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/formula.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A function that somebody has typed.
 struct GivenFormula {

@@ -12,7 +12,7 @@
 #include "phrame/io/read/pose_columns.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using ColumnNames = std::vector<std::string>;

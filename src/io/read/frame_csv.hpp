@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/frame/frame_check.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How the numbers of a table mean frames, as far as the table does not say so itself. A quaternion
 /// q turns the axes x, y, z of the body to the world, v ↦ q v q*, and so does a matrix, whose

@@ -5,7 +5,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/io/read/curve_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 FrameThrough::Joint read_joint(const JsonNode& node, std::size_t segments) {

@@ -2,7 +2,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/ph/curve/frame_through.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The orientations at "frame" of a spline/1 of so many segments: `through`, a list of `t`, the
 /// number of a joint, and `f2`, perhaps with `turns`, from 0 to the end; `twist`, "even" or

@@ -4,7 +4,7 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/read/number_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// read_frames() of a table that is read.
 GivenTable frames_of_table(std::unique_ptr<NumberTable> table, const FrameReading& reading,

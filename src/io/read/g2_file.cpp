@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 long count_of(SvgNumbers& in, long least, long most, const char* what) {

@@ -4,7 +4,7 @@
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/given_segment.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Does the text begin as a curve in the format G2 of GoTools and Splipy, "100 1 0 0"?
 bool is_g2_file(std::string_view text);

@@ -18,7 +18,7 @@
 #include "phrame/ph/curve/ellipse_arc.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A letter and its number.

@@ -4,7 +4,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Does the text begin as a program of G-code, or as one of APT with GOTO/?
 bool is_gcode_file(std::string_view text);

@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/bspline_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 bool is_geomdl_file(const JsonNode& node) {
   return node.is(JsonNode::Kind::object) && node.find("shape") && !node.find("phrame");

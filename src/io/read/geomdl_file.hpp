@@ -3,7 +3,7 @@
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it what geomdl (NURBS-Python) exports as JSON: an object with the key "shape"?
 bool is_geomdl_file(const JsonNode& node);

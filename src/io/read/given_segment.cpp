@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/identify.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A PH curve where it is one; what the segment is is taken from it.

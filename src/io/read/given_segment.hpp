@@ -10,7 +10,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/rational_bezier.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A piece of a path as it was read, before it is known what all pieces make.
 struct GivenSegment {

@@ -14,7 +14,7 @@
 #include "phrame/io/read/curve_choice.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

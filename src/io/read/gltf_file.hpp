@@ -5,7 +5,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Does the file begin as a binary glTF does?
 bool is_glb_file(std::string_view bytes);

@@ -13,7 +13,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr std::size_t nowhere = std::string_view::npos;

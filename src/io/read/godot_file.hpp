@@ -2,7 +2,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it a text file of Godot, a resource (.tres) or a scene (.tscn)?
 bool is_godot_file(std::string_view text);

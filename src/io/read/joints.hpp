@@ -3,7 +3,7 @@
 
 #include "phrame/io/read/given_segment.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Closes gaps between segments, and from the end to the start, of at most so far; by default of
 /// what rounding of coordinates leaves (rounding_gap). A PH curve is moved, of another the start,

@@ -8,7 +8,7 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/suggestion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 void JsonNode::fail(const std::string& reason) const { throw InputError(place(), reason); }
 

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/io/read/json_value.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A value of a JSON document with its JSON pointer: every complaint names the place. Refers to the
 /// document.

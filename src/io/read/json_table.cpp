@@ -6,7 +6,7 @@
 #include "phrame/io/read/column_name.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

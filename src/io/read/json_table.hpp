@@ -4,7 +4,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A table in JSON: a list of rows. Each is a list of numbers, or of lists of them, as a matrix is;
 /// or an object, whose keys are the columns: those of the first row. A member that is an object has

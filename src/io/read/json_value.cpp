@@ -10,7 +10,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Json = nlohmann::json;

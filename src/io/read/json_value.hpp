@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A JSON value that keeps numbers as the text they were written in, because they are read exactly.
 struct JsonValue {

@@ -18,7 +18,7 @@
 #include "phrame/io/read/npy_header.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 [[noreturn]] void fail_in_header(const std::string& reason) { throw InputError("header", reason); }

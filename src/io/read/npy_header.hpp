@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A constant of Python: strings, numbers, True and False, tuples and lists.
 struct PythonLiteral {

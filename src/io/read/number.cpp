@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view surroundings = " \t\r\n";

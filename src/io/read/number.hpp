@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);

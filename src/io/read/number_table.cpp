@@ -11,7 +11,7 @@
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string NumberTable::place_in_row(std::size_t row, std::size_t /*column*/,
                                       std::string_view name) const {

@@ -7,7 +7,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Rows of numbers below the names of their columns, or without names, whatever the file is.
 class NumberTable {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr auto ambiguous_exponent = "one exponent after another: parentheses are needed";

@@ -8,7 +8,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/io/read/expression_token.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Reads an expression by the precedence of its operators, with two stacks (Dijkstra's shunting
 /// yard): nothing recurses, so that no depth of parentheses, signs or exponents is too much. Here

@@ -18,7 +18,7 @@
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/gap.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The text of a setting and how to complain of it.

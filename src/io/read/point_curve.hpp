@@ -8,7 +8,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/number_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A curve as it was read: its name, and its pieces.
 struct PointCurve {

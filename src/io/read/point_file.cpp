@@ -10,7 +10,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Vectors = std::vector<Vector<Rational>>;

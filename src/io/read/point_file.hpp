@@ -5,7 +5,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A place in a JSON document; its definition is not public.
 class JsonNode;

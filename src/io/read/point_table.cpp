@@ -15,7 +15,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Columns = NumberTable::Group;

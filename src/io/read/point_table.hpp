@@ -6,7 +6,7 @@
 #include "phrame/io/read/number_table.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A table of points: what was read of it, a row a point.
 struct PointTable {

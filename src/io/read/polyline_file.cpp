@@ -10,7 +10,7 @@
 #include "phrame/io/read/curve_choice.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The points of a polyline, as rows.

@@ -2,7 +2,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it Wavefront's OBJ with vertices, or a PLY file?
 bool is_polyline_file(std::string_view text);

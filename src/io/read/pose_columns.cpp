@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Does this hold for the numbers of every row that has all of them, and is there one?

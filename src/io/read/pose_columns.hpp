@@ -5,7 +5,7 @@
 
 #include "phrame/io/read/number_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where a table of poses without names has its numbers.
 struct PoseColumns {

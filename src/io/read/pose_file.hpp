@@ -5,7 +5,7 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How the numbers of poses mean orientations, as far as a file does not say so itself.
 struct PoseReading {

@@ -16,7 +16,7 @@
 #include "phrame/ph/curve/curve_series.hpp"
 #include "phrame/ph/sweep/profile_apart.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What may go wrong with the corners is about the file.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How near a polygon is to the curve that it stands for.
 struct ProfileTolerance {

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/sweep/profile_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// @{ As parse_profile() and read_profile(), exactly: circles in rational quarters, outlines of SVG
 /// with the curves they have. The corners of a regular polygon are doubles. That an outline does

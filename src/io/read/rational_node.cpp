@@ -7,7 +7,7 @@
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/expression_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What a curve that is given by `key` has none of.

@@ -11,7 +11,7 @@
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

@@ -3,7 +3,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it a curve of scipy.interpolate, as people write it to JSON: an object with t, c and k (a
 /// BSpline) or with c and x (a PPoly, as CubicSpline is); the list [t, c, k] of splprep, or [[t, c,

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <utility>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string letters(std::string_view word) {

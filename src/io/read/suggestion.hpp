@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The name that `word` was probably meant to be, but for case, '-' and '_': the shortest that
 /// begins with it; else the nearest by inserted, deleted, replaced and swapped letters, at most one

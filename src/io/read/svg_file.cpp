@@ -14,7 +14,7 @@
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/svg_shape.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 PlaneVector mapped_vector(const PlaneMap& map, const PlaneVector& v) {

@@ -4,7 +4,7 @@
 #include "phrame/io/read/file_reading.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The one path or shape that an SVG file draws, or the one that is picked by its id or Inkscape's
 /// label: of a <path> element its "d", of others as read_svg_shape(), mapped by the "transform" of

@@ -9,7 +9,7 @@
 #include "phrame/io/read/expression_token.hpp"
 #include "phrame/io/read/number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_svg_digit(char c) { return c >= '0' && c <= '9'; }

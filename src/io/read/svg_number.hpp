@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Numbers and letters with blanks or commas between them, or nothing, as in the attributes of SVG.
 /// Refers to the text.

@@ -10,7 +10,7 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/svg_number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 PlaneVector plane_point_sum(const PlaneVector& a, const PlaneVector& b) {

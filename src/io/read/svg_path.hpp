@@ -4,7 +4,7 @@
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/ph/curve/ellipse_arc.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The map x·a + y·b + offset of the plane.
 struct PlaneMap {

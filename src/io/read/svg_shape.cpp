@@ -9,7 +9,7 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/svg_number.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 class ShapeReader {

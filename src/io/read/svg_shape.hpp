@@ -5,7 +5,7 @@
 
 #include "phrame/io/read/svg_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A piece of the text of an SVG file, in quotation marks there.
 struct SvgAttribute {

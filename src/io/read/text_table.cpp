@@ -11,7 +11,7 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Cells = std::vector<std::string_view>;

@@ -6,7 +6,7 @@
 #include "phrame/io/read/column_name.hpp"
 #include "phrame/io/read/number_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Lines of numbers, separated by ';', ',', tabs or blanks, whichever of them comes first in this
 /// list and in the first line, below the names of the columns, or without. Separators in quotes are

@@ -16,7 +16,7 @@
 // The curves are those of three.js's documentation and behaviour, r150 and later: what follows is
 // written from the formulas of the curves.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using ThreePoints = std::vector<Vector<Rational>>;

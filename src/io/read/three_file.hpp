@@ -3,7 +3,7 @@
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/io/read/json_node.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it what the curves of three.js write by toJSON(): an object whose "type" ends with Curve,
 /// Curve3, PhPath or Shape, or a TubeGeometry, until r144 a TubeBufferGeometry,

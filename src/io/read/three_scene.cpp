@@ -6,7 +6,7 @@
 #include "phrame/io/read/curve_choice.hpp"
 #include "phrame/io/read/three_file.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;

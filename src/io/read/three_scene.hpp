@@ -4,7 +4,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/read/point_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Is it what Object3D.toJSON() of three.js writes: an object with "metadata" of the type Object,
 /// or with "object" and "geometries" or "shapes"?

@@ -7,7 +7,7 @@
 #include "phrame/algebra/radical_roots.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// x in radicals without i. The real roots come first, in ascending order.

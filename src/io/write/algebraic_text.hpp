@@ -2,7 +2,7 @@
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // An irrational algebraic number x times a name, "√2/4·π", "(1 + √5)/10·π": in radicals where x has
 // a degree ≤ 4 and they are real, else as the root of its polynomial in an interval.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/fwd.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What is printed of an answer: to_text() for reading, in Unicode and with passages
 // (for_reading()), to_json() in the format that is named here, to_latex() for amsmath and amssymb.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void append_chunk(std::string& bytes, std::string_view kind, std::string content, char filler) {

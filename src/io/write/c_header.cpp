@@ -11,7 +11,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/version.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// `items` of one line each, up to a line of 100 characters.

@@ -4,7 +4,7 @@
 #include "phrame/answer/compiled.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// C99, self-contained: prefix_theta(t), and with a rotation prefix_frame(t, f1, f2, f3), with what
 /// they are, for which t and how exactly. It compiles as C++17 too. All names in C begin with the

@@ -10,7 +10,7 @@
 #include "phrame/io/write/frame_start.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The times, then all translations from the origin, then all rotations.

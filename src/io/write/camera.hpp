@@ -4,7 +4,7 @@
 #include "phrame/answer/camera_path.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // A camera path as files of other programs, with coordinates as they are: glTF takes y for up,
 // Blender z.

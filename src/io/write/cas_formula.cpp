@@ -7,7 +7,7 @@
 #include "phrame/io/write/algebraic_text.hpp"
 #include "phrame/io/write/root_term.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What differs from language to language. The functions are patterns of one argument.

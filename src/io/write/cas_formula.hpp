@@ -3,7 +3,7 @@
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The languages of computer-algebra systems; `plain` is what most of them read: + - * / ^,
 /// parentheses, log, atan, pi.

@@ -12,7 +12,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Definition {

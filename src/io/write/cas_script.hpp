@@ -3,7 +3,7 @@
 #include "phrame/answer/integral.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a computer-algebra system is given: a statement a line, which define `integrand`,
 /// `antiderivative` and, where ends were given, `definite`. In PARI the first two are functions.

@@ -3,7 +3,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 JsonOutput json_of(const GaussianInteger& z) { return {z.re.str(), z.im.str()}; }

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A certificate/1 file (docs/certificate.md). `name` is that of the curve and may be empty; `near`
 /// is told in a note where the curve stands for another.

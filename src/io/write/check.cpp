@@ -8,7 +8,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = FrameFinding::Kind;

@@ -6,7 +6,7 @@
 #include "phrame/answer/check.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How the table of the frames was read.
 struct TableReading {

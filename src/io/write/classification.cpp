@@ -9,7 +9,7 @@
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "t = 1/2, 0.732050807569 (twice)".

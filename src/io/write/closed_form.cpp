@@ -9,7 +9,7 @@
 #include "phrame/io/write/algebraic_text.hpp"
 #include "phrame/io/write/root_term.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using enum Notation;

@@ -3,7 +3,7 @@
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/write/formula.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The letters of a formula.
 struct Letters {

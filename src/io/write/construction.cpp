@@ -11,7 +11,7 @@
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "auto"; "angles" where they were given.

@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/version.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "(3)", "(-1/2)": Coq's reals have no rationals, but quotients.

@@ -3,7 +3,7 @@
 
 #include "phrame/answer/coq.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A Coq file with the theorem |−2∫₀ᵗ h/σ − θ̂| ≤ 10ᵏ. σ and h are defined from u, v, p, q and their
 /// proved derivatives. CoqInterval's tactic `integral` proves it.

@@ -2,7 +2,7 @@
 
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string write_curve(const NamedCurve& named) { return pretty(json_of(named)); }
 

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A curve/1 file that read_curve reads as the same curve, in the power basis.
 PHRAME_API std::string write_curve(const NamedCurve& named);

@@ -8,7 +8,7 @@
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// No value for an algebraic number of a degree > 2.

@@ -3,7 +3,7 @@
 
 #include "phrame/integrate/path_end.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// "3/7", "−∞", "√2", "the root of x³ − 2 in (1, 2)", "(2/3)π".
 std::string to_text(const PathEnd& end);

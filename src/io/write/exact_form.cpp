@@ -6,7 +6,7 @@
 
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string exact_form(const Curve& curve) {
   const Vector<Polynomial> derivative = hodograph(curve);

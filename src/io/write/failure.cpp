@@ -5,7 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/time_limit.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Failure current_failure() {
   try {

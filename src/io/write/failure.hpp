@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What the program says of an exception, and its exit status.
 struct Failure {

@@ -7,7 +7,7 @@
 
 #include "phrame/io/write/closed_form.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using enum Notation;

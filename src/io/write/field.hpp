@@ -4,7 +4,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/prose.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // An answer is described once, as a list of fields, and written from it as a text, as JSON and as
 // LaTeX. In words, which is in a text and in LaTeX, labels and values are as prose() has them. Not

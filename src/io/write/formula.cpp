@@ -6,7 +6,7 @@
 #include "phrame/algebra/surd_root.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string minus(Notation notation) { return notation == Notation::unicode ? "−" : "-"; }

@@ -9,7 +9,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/along/frame_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How formulas are written: for a screen, or for a paper.
 enum class Notation { unicode, latex };

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string to_sentence(const LeastRotation& start, bool is_plain) {
   std::string text =

@@ -2,7 +2,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How f₂(0) of a LeastRotation is found: "the least rotation that takes the x axis to e₁ takes the
 /// y axis to f₂(0), which is then turned about e₁ by pi/4"; in plain letters for sources.

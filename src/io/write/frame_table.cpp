@@ -10,7 +10,7 @@
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/row_format.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Shortest decimal texts that read back to the same doubles.
 PHRAME_API std::string to_csv(const FrameTable& table);

@@ -8,7 +8,7 @@
 #include "phrame/algebra/fixed_point.hpp"
 #include "phrame/io/write/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string to_gcode(const MachinePath& path) {
   const char* const tool = path.tool == ToolAxis::e1   ? "e1"

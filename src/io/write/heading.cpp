@@ -5,7 +5,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/corner.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string closure_text(const Path& path) {

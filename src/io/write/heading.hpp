@@ -4,7 +4,7 @@
 #include "phrame/io/write/prose.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The first line of a report: "PH quintic, degree 5 (preimage of degree 2)".
 std::string heading(const std::string& name, const Curve& curve);

@@ -10,7 +10,7 @@
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string reason_text(const NotPythagorean& reason, Notation notation) {

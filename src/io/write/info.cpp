@@ -9,7 +9,7 @@
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Value length_value(const InfoAnswer::Length& length) {

@@ -13,7 +13,7 @@
 #include "phrame/io/write/radical_form_text.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using enum Notation;

@@ -10,7 +10,7 @@
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool fits_a_line(const JsonOutput& json) {

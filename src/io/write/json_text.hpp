@@ -4,7 +4,7 @@
 #include "phrame/answer/angle.hpp"
 #include "phrame/integrate/path_end.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The pieces of phrame's JSON output. Not a public header: it shows nlohmann's types.
 using JsonOutput = nlohmann::ordered_json;

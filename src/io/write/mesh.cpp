@@ -13,7 +13,7 @@
 #include "phrame/io/write/bytes.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Vector<float> floats_of(const Vector<double>& point) {

@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/sweep/mesh.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // A mesh as files of other programs: bytes, little-endian where they are numbers. Coordinates are
 // from the origin of the mesh, which a comment says where it is not 0. Where formats have floats,

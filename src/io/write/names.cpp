@@ -7,7 +7,7 @@
 #include "phrame/answer/offset.hpp"
 #include "phrame/answer/wronskian.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 template <class T>

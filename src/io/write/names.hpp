@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 enum class FrameWeight;
 enum class OffsetJoin;

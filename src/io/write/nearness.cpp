@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::string to_line(const Nearness& nearness) {
   return fmt::format("at most {} from it; rotation-minimizing frames differ by {}",

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/nearness.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// "at most 5.3e-16 from it; rotation-minimizing frames differ by at most 2.1e-15": what a PH curve
 /// is of the one in whose place it stands.

@@ -10,7 +10,7 @@
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/names.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Part = OffsetAnswer::Part;

@@ -21,7 +21,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/version.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What of a formula is still for reading,

@@ -3,7 +3,7 @@
 
 #include "phrame/answer/page.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An HTML file with all that it needs, to be opened in a browser, also where there is no network:
 /// the curve with its frames in space, plots, the formula, poles, what is decided, numbers to take

@@ -2,7 +2,7 @@
 #include <string_view>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An HTML page without its data, one piece after the other: where these belong stand
 /// "<!--title-->" and "<!--data-->". Empty where phrame was built without npm.

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // A passage is begin, the full text, middle, the abridged text, end.

@@ -4,7 +4,7 @@
 
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // A text for reading has passages in two lengths: all of it, and what a screen line can bear. Such
 // a text is made of strings as any other; who prints it chooses between the two with for_reading().

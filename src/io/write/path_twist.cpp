@@ -10,7 +10,7 @@
 #include "phrame/io/write/twist_frame.hpp"
 #include "phrame/io/write/value_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_smooth(const PathTwistAnswer& answer) { return answer.path.frame->is_smooth; }

@@ -7,7 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string text_of(const PolePart& part) {

@@ -4,7 +4,7 @@
 
 #include "phrame/integrate/pole_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A real pole, or a pair of conjugate ones, "0.1 ± 0.2i", with its residue; 12 correct digits a
 /// component.

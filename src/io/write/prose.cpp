@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using enum Notation;

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Words for a text and for LaTeX at once. Formulas stand between $, as in LaTeX, but their signs
 // are those of Unicode, with a \ before names of functions: "helix with $\cos ψ = 1/2$".

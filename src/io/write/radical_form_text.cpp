@@ -5,7 +5,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string in_pattern(std::string_view pattern, std::string_view a, std::string_view b = "") {

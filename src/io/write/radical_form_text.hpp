@@ -2,7 +2,7 @@
 #include "phrame/integrate/radicals.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// One term a line. Logarithms over rational and quadratic roots are written out, the others as
 /// Σ c(z)·log(t − z) with c and a list of the roots; "0" for 0. `variable` is that of F, `root`

@@ -7,7 +7,7 @@
 // A sum is written over its common denominator, (n₀ + n₁x₁ + …)/d with integers nₖ. Every text
 // carries how tightly it binds, and gets parentheses where that is not enough.
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace radical_notation {
 

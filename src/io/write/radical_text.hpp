@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/radical.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How radicals are written; what has a {} is a pattern of {fmt}.
 struct RadicalNotation {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/surd_root.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// "√2·x + 1 − √3", slope > 0.

@@ -2,7 +2,7 @@
 #include "phrame/integrate/real_form.hpp"
 #include "phrame/io/write/radical_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// factor·function(argument) with roots of numbers of a quadratic or biquadratic field, written
 /// out.

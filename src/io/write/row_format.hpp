@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How a table is written row by row, of which there are so many.
 struct RowFormat {

@@ -10,7 +10,7 @@
 
 #include "phrame/algebra/integer.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using State = std::array<std::uint32_t, 8>;

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 StepBody step_body(const RationalSweepAnswer& answer) {
   const RationalSurface& surface = answer.surface;

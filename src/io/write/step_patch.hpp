@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational Bézier patch in doubles: rows along the path, each around the profile.
 struct StepPatch {

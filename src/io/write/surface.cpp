@@ -7,7 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/json_text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 JsonOutput json_of(const SurfacePatch& patch) {

@@ -3,7 +3,7 @@
 
 #include "phrame/answer/rational_sweep.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// surface/1: all patches with exact fractions (docs/sweep.md).
 std::string to_json(const RationalSweepAnswer& answer);

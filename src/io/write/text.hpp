@@ -9,7 +9,7 @@
 #include "phrame/io/write/passage.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What reports for a screen are made with.
 

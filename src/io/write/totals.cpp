@@ -9,7 +9,7 @@
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/corner.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Row = TotalsAnswer::Row;

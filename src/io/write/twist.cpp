@@ -8,7 +8,7 @@
 #include "phrame/io/write/twist_frame.hpp"
 #include "phrame/io/write/value_table.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

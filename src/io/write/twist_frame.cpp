@@ -6,7 +6,7 @@
 
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string in_words(Monotone monotone) {

@@ -4,7 +4,7 @@
 #include "phrame/answer/twist_frame.hpp"
 #include "phrame/io/write/field.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A number with its relation: "= 0", "≈ 0.5".
 Value compared_value(const Decimal& x);

@@ -7,7 +7,7 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/text.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

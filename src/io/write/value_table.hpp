@@ -4,7 +4,7 @@
 
 #include "phrame/answer/angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// "t  θ(t)", a line each, behind the parameter that was asked by, where that is another; long t
 /// are passages.

@@ -7,7 +7,7 @@
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Name {

@@ -10,7 +10,7 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/twist_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr auto pair_definition =

@@ -16,7 +16,7 @@
 // is rational is decided by Gauss's lemma, without factors. At a cusp s′ = 0 and Newton's method
 // fails: there the interval is bisected.
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 bool has_polynomial_length(const Curve& curve) {
   const Signs signs = multiplier_signs(curve);

@@ -18,7 +18,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 RationalFunction squared_curvature(const RationalCurve& curve) {
   const Vector<Polynomial> b = binormal(curve);

@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Of a curve with r′ = p·H/W², σ = |H|², ρ = |H × H′|²; at a joint of a path, those of the segment
 // named.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::shared_ptr<const TaylorParts> taylor_parts(const ExpressionCurve& curve,
                                                 const CurveIntegrand& y) {

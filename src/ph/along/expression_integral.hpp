@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/known_integrals.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The parts of [0, 1] on which y is analytic, found once for all copies of the curve.
 std::shared_ptr<const TaylorParts> taylor_parts(const ExpressionCurve& curve,

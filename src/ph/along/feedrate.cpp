@@ -12,7 +12,7 @@
 // |f|σ is a polynomial where f keeps its sign, and the signed curvature of a plane PH curve is
 // rational: then V(t), V(κ(t)) and |f|σ/V are rational functions.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 [[noreturn]] void refuse_speed(const char* what, const std::string& place) {

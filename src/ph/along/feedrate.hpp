@@ -8,7 +8,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A feedrate: the speed V = ds/dt at which a tool moves along a path, a rational function of one
 /// of its own quantities. Constant, linear or quadratic in the arc length, any polynomial in the

@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 FrameAngle angle_of(const GaussianRational& z) {
   if (z.re == 0 && z.im == 0) throw DomainError("angle_of: 0 has no direction");

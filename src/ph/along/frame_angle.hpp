@@ -8,7 +8,7 @@
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An exact angle of a frame: π·half_turns + radians + arg direction.
 struct FrameAngle {

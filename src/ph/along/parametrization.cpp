@@ -14,7 +14,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// |r′|² = p²|H|²/W⁴.

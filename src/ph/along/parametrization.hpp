@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// By which number a point of a path is told.
 enum class ParameterKind {

@@ -31,7 +31,7 @@
 // of them is one integral from 0 to 1, of the sum of all rates, and that logarithms of different
 // segments cancel is decided as within one.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long rational_bits = 256;

@@ -5,7 +5,7 @@
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The angle θ of the rotation-minimizing frame along a path, relative to (e₂, e₃), a reference
 /// frame that is continuous through the joints, but for the half turns of the Frenet frame at

@@ -13,7 +13,7 @@
 #include "phrame/algebra/recent.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Beyond this sums of roots are not added up.

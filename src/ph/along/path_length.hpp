@@ -5,7 +5,7 @@
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The arc length ∫ |r′| dt along a path from its start, through cusps, too, and its inverse: a
 /// polynomial along PH curves on which f keeps its sign. Copies are cheap and share what was found;

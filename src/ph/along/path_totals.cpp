@@ -23,7 +23,7 @@
 // the sign of H, and so τ ds = sign p·√σ·det(H, H′, H″)/ρ dt, which is −sign p times how the
 // rotation-minimizing frame turns against the Frenet frame.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // ---- The sum.

@@ -5,7 +5,7 @@
 #include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An integral along a path from its start to its end, the sum of those along its segments.
 struct PathTotal {

@@ -4,7 +4,7 @@
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// θ of the rotation-minimizing frame to the frame of v, along the lines and plane curves that a
 /// path begins with, as an algebraic angle. Copies share what was found; any thread may ask.

@@ -8,7 +8,7 @@
 // frame goes on by that of B: (H × H′) × (H × H″) = det(H, H′, H″)·H = g²·B × B′, so that g²
 // cancels in det(H, H′, H″)/ρ.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Polynomial squared_size(const Vector<Polynomial>& v) { return dot(v, v); }

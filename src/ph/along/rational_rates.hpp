@@ -2,7 +2,7 @@
 #include "phrame/integrate/taylor_integral.hpp"
 #include "phrame/ph/curve/rational_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What is integrated along a rational curve with r′ = p·H/W², σ = |H|², ρ = |H × H′|². Cusps, where
 // p = 0, and inflections are no singularities of these but of the bending energy.

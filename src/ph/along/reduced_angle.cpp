@@ -8,7 +8,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The whole k with x ∈ (2k − 1, 2k + 1].

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/along/frame_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The angle in (−π, π] that differs from this one by any number of whole turns, decided exactly.
 /// Whole turns that are taken from `radians` are in half_turns then.

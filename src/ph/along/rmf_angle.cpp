@@ -7,7 +7,7 @@
 #include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/short_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// z with arg z = arg p(t) − arg p(0).

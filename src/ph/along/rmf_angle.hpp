@@ -8,7 +8,7 @@
 #include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The frame that an angle is measured from.
 enum class Reference {

@@ -12,7 +12,7 @@
 // The frame of v does not turn where v is normal to the plane of the curve, and where v is in it:
 // then v × H has one direction. det(r′, r″, r‴) is 0 in a plane.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 SegmentIntegral zero_integral() { return {TaylorIntegral(RootQuotient{})}; }

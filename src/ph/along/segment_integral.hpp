@@ -6,7 +6,7 @@
 #include "phrame/ph/along/expression_integral.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial y and its integral from 0.
 struct PolynomialIntegral {

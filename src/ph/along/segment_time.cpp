@@ -17,7 +17,7 @@
 // as the length is one. V(t) and V(κ) of formulas, and V(κ) of rational curves as formulas, are
 // integrands of Taylor series in balls.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Of an integrand that is analytic where V has no zero and no pole; `refuse` is told where it is

@@ -5,7 +5,7 @@
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The time t ↦ ∫₀ᵗ |r′|/V dt along a segment, t in [0, 1], with a speed V > 0 that is a function
 /// of the parameter or of the signed curvature: in closed form along PH curves on which f keeps its

@@ -4,7 +4,7 @@
 
 #include "phrame/integrate/integrate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 TimeOfLength::TimeOfLength(const RationalFunction& speed)
     : speed_(speed),

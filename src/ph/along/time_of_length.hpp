@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/integrate/evaluator.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// G(s) = ∫₀ˢ du/V(u), the time that a motion takes with a speed V > 0 that depends on the way.
 class TimeOfLength {

@@ -8,7 +8,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Is sgn(orientation)·rate odd about t = 1/2?

@@ -5,7 +5,7 @@
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An integral along a curve on [0, 1], in closed form:
 ///   √radicand · ∫₀¹ ±rate dt = √radicand · Σ ±(F(b) − F(a))

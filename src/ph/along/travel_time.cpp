@@ -26,7 +26,7 @@
 // Where T is irrational at the start of a segment, it is transcendental there, and so is t, but for
 // logarithms of different segments that cancel.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long limit = 4096;

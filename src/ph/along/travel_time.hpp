@@ -5,7 +5,7 @@
 #include "phrame/ph/along/feedrate.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class SegmentTime;
 

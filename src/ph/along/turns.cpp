@@ -12,7 +12,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/shape.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long place_bits = 96;

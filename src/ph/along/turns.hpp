@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/curve.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Where the graphs over t of what is seen of a segment turn round, so that a drawing through these
 // places, too, shows each quantity as far as it goes.

@@ -16,7 +16,7 @@
 #include "phrame/ph/curve/formula_program.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// H at some t of [0, 1], about.

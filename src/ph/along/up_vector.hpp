@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // A fixed vector v that is nowhere along the tangent gives the path a frame: e₂ = v × H/|v × H|,
 // e₃ = e₁ × e₂. Almost every v does. v × H vanishes where all three components do, so at the zeros

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The control points of a Bézier curve, at least two, and not all equal.
 using BezierPoints = std::vector<Vector<Rational>>;

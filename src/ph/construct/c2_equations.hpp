@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The equations of C² splines in doubles. A is piecewise quadratic in the parameter and C¹, so that
 // r′ = A i A* is C¹ and r is C², whatever the coefficients Z of A in the B-spline basis are: the

@@ -21,7 +21,7 @@
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/spline_builder.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A and uA′/4 with respect to the parameter, u the unit of its steps.

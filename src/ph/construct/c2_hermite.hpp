@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// C² splines of degree 9, exactly, near their points, derivatives and accelerations [Šír,
 /// Jüttler]. Segment k is r′ = h_k·A i A* on [0, 1], h_k the step of the parameter and A a quartic,

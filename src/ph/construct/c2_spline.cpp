@@ -22,7 +22,7 @@
 #include "phrame/ph/construct/refine.hpp"
 #include "phrame/ph/construct/spline_builder.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The Bernstein coefficients of A, over one denominator.

@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// C² splines of PH quintics, exactly, near their points: the second derivatives by the parameter
 /// are equal at the joints, too. Segment k is r′ = h_k·A i A* on [0, 1] with h_k the step of the

@@ -6,7 +6,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::vector<Vector<double>> calm_derivatives(const C2Data& data, double haste) {
   const std::size_t n = data.steps.size();

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/construct/c2_equations.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where the search begins, instead of with the derivatives as they are: with those of chord
 /// lengths, each of a speed between those of the chords beside it, the slower one for haste = 0.

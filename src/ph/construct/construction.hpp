@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/quintic_choice.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How far a curve may be from its data, and how far it is. Of kinds that take the directions of
 /// derivatives only, their deviation is an angle.

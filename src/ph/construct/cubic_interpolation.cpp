@@ -16,7 +16,7 @@
 // nearly plane or nearly straight would have any torsion, so that this holds exactly: r″ = 0 at a
 // natural end, and that a spline stays in the line or the plane of its points.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Vectors = std::vector<Vector<Rational>>;

@@ -4,7 +4,7 @@
 #include "phrame/ph/construct/bezier_points.hpp"
 #include "phrame/ph/curve/spline_slopes.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where the parameters of points come from that are given without.
 enum class ParameterChoice {

@@ -23,7 +23,7 @@
 // |u₀ × u₁| is computed without cancellation. Rounded are U₀, U₁e^{iφ}, once for both neighbours of
 // a joint, and the λ.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct Cubic {

@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// At most so many PH cubics have the same ends and tangents.
 inline constexpr long cubic_solutions = 2;

@@ -13,7 +13,7 @@
 
 // With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 struct GaussPoint {

@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // How much curves bend, by quadrature in doubles: to choose among them, and to give an impression.
 

@@ -27,7 +27,7 @@
 // curve: α₁β₂ − α₂β₁ = Nζ. All is done in a rotated space, because c along the x-axis would make R
 // a product of two rational numbers, each of which had to be such a sum.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 GaussianRational alpha(const RationalQuaternion& a) { return {a.u, a.v}; }

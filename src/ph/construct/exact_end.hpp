@@ -4,7 +4,7 @@
 #include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The Bernstein coefficients of A, quadratic, on [0, 1].
 using QuadraticPreimage = std::array<RationalQuaternion, 3>;

@@ -6,7 +6,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What the curve of a fit lacks to the points, and the greatest square of it.

@@ -3,7 +3,7 @@
 #include "phrame/ph/construct/preimage_fit.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // From a fit in doubles to an exact one, of which the distance is known exactly.
 

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/rotation.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How a body lies at points, beside where it is.
 struct GivenPoses {

@@ -26,7 +26,7 @@
 //   (3(1 + G)D + 4N/3)² = G(n² + μ²D²).
 // Where D = N = n = 0, as in symmetric data, f₁ is free and K² = k² + μ² says what it is.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using DoubleComplex = ComplexOf<double>;

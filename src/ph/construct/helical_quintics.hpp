@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Quintics r′ = f·A i A* whose tangent has a constant angle to an axis: exactly those where A stays
 // in a real plane of ℍ, for x, y, z and σ are quadratic forms of its two coordinates there, of

@@ -20,7 +20,7 @@
 // enters the rest but does not enter A(1): numbers do not grow along the spline. (They do where
 // tangents are so nearly parallel that the form `end` with y is taken.)
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 RationalQuaternion rounded_preimage(const Vector<Rational>& d, const Rational& tolerance) {

@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/helical_quintics.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A C¹ spline of quintics whose tangents have a constant angle to an axis, each segment to one of
 /// its own, exactly, near its data. Taken is in each segment the `solution`-th of

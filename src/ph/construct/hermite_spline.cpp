@@ -14,7 +14,7 @@
 #include "phrame/ph/curve/spline_slopes.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long chord_bits = 12;

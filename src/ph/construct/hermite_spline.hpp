@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/construct/given_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Points, derivatives and increasing parameters, as many of each: what a C¹ spline is to have. The
 /// derivatives are those with respect to the parameter. Of a closed one the last point and

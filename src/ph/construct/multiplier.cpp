@@ -11,7 +11,7 @@
 // c_k = ∫ B_k·A i A*, the condition is Σ x_k c_k = e, e = displacement − ∫ f·A i A*. Its solution
 // of least Σ x_k² is x_k = c_k·y with (Σ c_k c_kᵀ) y = e, whether the moments span space or not.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Rational integral(const Polynomial& p) { return antiderivative(p)(1); }

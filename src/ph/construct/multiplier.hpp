@@ -5,7 +5,7 @@
 
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What of a multiplier may be changed.
 enum class MultiplierFreedom {

@@ -15,7 +15,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void require_near_degree(std::size_t points) {

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The greatest degree of curves that are taken here.
 inline constexpr long max_near_degree = 101;

@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What `make` makes of segment k; where it is Undecided, that names the segment.
 template <class F>

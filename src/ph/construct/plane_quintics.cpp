@@ -13,7 +13,7 @@
 
 // In the plane A = u + qk, so that H(A₀, A₂) and H(A₀ + A₂, B) are real: positive or negative.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void require_plane(const std::vector<Vector<Rational>>& list, std::string_view what) {

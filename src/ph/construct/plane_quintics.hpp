@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/construct/quintic_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How many plane quintics a segment has.
 inline constexpr long plane_solutions = 4;

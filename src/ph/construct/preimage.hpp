@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The algebra that interpolation by PH curves lives in, for any numbers: doubles for guesses,
 // BigFloat for what is rounded, integers and fractions for what is exact.

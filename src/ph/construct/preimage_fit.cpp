@@ -24,7 +24,7 @@
 
 #include "phrame/ph/construct/preimage.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using DoubleQuaternion = Quaternion<double>;

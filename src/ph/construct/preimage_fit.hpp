@@ -5,7 +5,7 @@
 #include "phrame/algebra/least_squares.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Guesses in doubles: the preimage whose curve comes closest to given points of a Bézier curve.
 // Nothing is proved here; what is made of a guess is measured exactly.

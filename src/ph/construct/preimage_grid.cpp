@@ -7,7 +7,7 @@
 #include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
   return each(v, [&](const Integer& x) { return x * scale; });

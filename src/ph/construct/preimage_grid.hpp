@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Preimages that are rounded to multiples of 2^−p, and what the numbers before are called.
 

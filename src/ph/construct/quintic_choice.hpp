@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Which member of the family of PH quintics with the same Hermite data. `phi` is 0 but for
 /// `energy`.

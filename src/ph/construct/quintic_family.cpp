@@ -16,7 +16,7 @@
 // |5P − B|², P = A₀ + A₂, over φ is 25|P|² + |c| − 10|H(P, B)|: it is that of 4|A₀ − 2A₁ + A₂|²,
 // and taken for H(P, B) ≥ 0, that is φ = 0.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr double straight_angle = std::numbers::pi;

@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/quintic_choice.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a segment on [0, 1] is to have: r(1) − r(0), r′(0) and r′(1).
 template <class T>

@@ -27,7 +27,7 @@
 // Q i Q* = |w|²·P i P* has its direction exactly, and e₂ = Q j Q*/|Q|² is P j P*/|P|² turned by
 // −2 arg w, the argument of a number in ℚ(i).
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 class Chain {

@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A C¹ spline of PH quintics, exactly, near its data. Segment k is r′ = h_k·A i A* on [0, 1], h_k
 /// the step of the parameter, so that neighbours have the derivative by the parameter in common:

@@ -6,7 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Rational largest_of(const std::vector<Rational>& list) {

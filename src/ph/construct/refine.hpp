@@ -7,7 +7,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // An exact family has rational parameters, and whatever they are, its law holds as an identity:
 // h = 0, a helix, C². What is left are conditions on the parameters, such as the end point.

@@ -43,7 +43,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr int most_halvings = 48;    ///< of a part

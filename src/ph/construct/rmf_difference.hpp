@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The hodographs of a polynomial curve and of another near it, on [0, 1], by their Bernstein
 /// coefficients in the same degree.

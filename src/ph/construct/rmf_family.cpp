@@ -17,7 +17,7 @@
 // with any numbers a, b ≠ 0, c: nothing is divided. Rows and columns are exchanged such that b is
 // the greatest entry.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using IntegerVector4 = std::array<Integer, 4>;

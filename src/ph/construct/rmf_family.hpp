@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/construct/rmf_septic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// All cubic A with given ends A₀, A₃ and h ≡ 0 (for A₀ and A₃ with ω(A₀, A₃) = 0 those that are
 /// limits of others), exactly. A₁ and A₂ are in the plane V of the X with ω(A₀, X) = ω(A₃, X) = 0;

@@ -9,7 +9,7 @@
 #include "phrame/ph/construct/quintic_family.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Is b in the direction of a, so nearly that a vector like it which is not is at most `off` away?

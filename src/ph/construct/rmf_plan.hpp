@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/construct/rmf_septic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What is known of a spline with h ≡ 0 before numbers are rounded: which curve is where.
 

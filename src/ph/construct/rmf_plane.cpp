@@ -13,7 +13,7 @@
 // space, B² = 120·displacement − 15(w₀² + w₂²) + 10w₀w₂. It is wanted to be short of digits, so ν
 // is rounded, and then u₁ and s₁.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using PlaneNumber = ComplexOf<BigFloat>;

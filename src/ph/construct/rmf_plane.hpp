@@ -4,7 +4,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/exact_fit.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Curves between parallel tangents: every A = Q·(u + sν), u and s real and ν one vector of j and k,
 // is plane and has h ≡ 0.

@@ -18,7 +18,7 @@
 // where the tangents are nearly parallel, n ≈ 0: n/|(z₀, w₀)| has no cancellation. What remains is
 // a curve of solutions.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using ShapeVector = std::array<double, 7>;  // t, b, b′

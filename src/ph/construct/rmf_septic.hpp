@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/refine.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Septics r′ = A i A* with h ≡ 0, so that the Euler–Rodrigues frame, which is rational, is the
 // rotation-minimizing one. Here in doubles: guesses, which decide the shape and nothing else.

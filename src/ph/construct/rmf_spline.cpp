@@ -27,7 +27,7 @@
 // and what is missing of the way back is put into the multiplier of one segment. Where points are
 // to be met exactly, each segment starts in its point, and has a multiplier that leads to the next.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// 2^e above √x.

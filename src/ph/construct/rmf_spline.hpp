@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A C¹ spline with h ≡ 0, exactly, near its data: its Euler–Rodrigues frame, which is rational, is
 /// rotation-minimizing from one end to the other. Segment k is r′ = f·A i A* on [0, 1]; neighbours

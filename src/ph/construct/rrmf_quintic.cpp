@@ -12,7 +12,7 @@
 // the speed of the chord, damped Gauss–Newton steps of least change; then along the kernel of
 // the derivative as long as energy times length falls.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Unknowns = std::array<double, 6>;

@@ -5,7 +5,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "phrame/ph/construct/refine.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Quintics with a rational rotation-minimizing frame, of class I: S(A₀, A₂) = A₁ i A₁*. With
 // A₁ = A₀b this is A₂ = A₀q, q = τi − (b i b*)i, for any quaternion b and any number τ, and there

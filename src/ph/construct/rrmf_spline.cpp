@@ -18,7 +18,7 @@
 // is φ·B i B*, φ = F·|A₀|², with numbers b, τ, φ of p bits. The next A₀ is A₀q, so that the
 // tangent is the same, exactly.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using RrmfEnd = RrmfEnds<Rational>;

@@ -2,7 +2,7 @@
 #include "phrame/ph/construct/construction.hpp"
 #include "phrame/ph/construct/hermite_spline.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A G¹ spline of quintics with rational rotation-minimizing frames, of class I, exactly, near its
 /// points and the directions of its derivatives. Of each segment's quintics it is one of little

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/algebra/least_squares.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Guesses where there is one unknown more than there are equations, so that solutions are a curve:
 // to it, and along it.

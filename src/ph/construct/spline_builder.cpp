@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// An upper bound of the square, and 0 of 0.

@@ -8,7 +8,7 @@
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/construct/multiplier.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What all kinds of splines have in common: they are tried with more and more bits, measured
 // against their data, and put together; each kind says what its segments are.

@@ -13,7 +13,7 @@
 // blossom is affine in each argument: from the values at x and y, with the others the same, comes
 // that at any other number. Points are homogeneous, (wx, wy, wz, w).
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using HomogeneousPoint = std::array<Rational, 4>;

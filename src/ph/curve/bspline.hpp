@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/rational_bezier.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A B-spline curve, or NURBS, of degree p: with the knots u₀ ≤ u₁ ≤ …, control points P₀ … P_n and
 /// weights, the curve Σ N_k(u) w_k P_k / Σ N_k(u) w_k on [u_p, u_{n+1}], N_k the B-splines of

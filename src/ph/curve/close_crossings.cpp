@@ -8,7 +8,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/curve_arc.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long deepest = 64;

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/crossings.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Two coordinates of a curve around a place of a segment.
 using PlanePosition = std::function<std::array<BallPolynomial, 2>(

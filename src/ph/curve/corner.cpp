@@ -15,7 +15,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Real angle_between(const Vector<Real>& a, const Vector<Real>& b) {

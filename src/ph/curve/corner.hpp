@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A corner: a joint where the tangent of a path breaks.
 struct Corner {

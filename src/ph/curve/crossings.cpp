@@ -16,7 +16,7 @@
 // Else the longer arc is halved. What becomes too short ends the search of crossings, for which
 // another projection may do better, and is told as undecided of a curve that is in a plane.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long crossing_bits = 96;

@@ -6,7 +6,7 @@
 
 #include "phrame/ph/curve/curve_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct CurveNode;
 

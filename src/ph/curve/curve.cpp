@@ -8,7 +8,7 @@
 #include "phrame/algebra/power_series.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier)
     : Curve(std::move(preimage), std::move(multiplier), Vector<Rational>{}) {}

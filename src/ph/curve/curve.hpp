@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A spatial Pythagorean-hodograph curve r(t), t ∈ ℝ (the segment is [0, 1]):
 ///   r′ = f · A i A*,  r(0) = start,

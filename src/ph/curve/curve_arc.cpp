@@ -17,7 +17,7 @@
 // X along the tangent both are then graphs on one side, with d(sin φ)/dX = κ: where all κ of the
 // one are less than all of the other, so are the slopes, and the graphs meet at the joint alone.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long arc_bits = 64;

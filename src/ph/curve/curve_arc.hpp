@@ -5,7 +5,7 @@
 
 #include "phrame/ph/curve/curve_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// [lower, upper]; without an end where that is infinite.
 struct DoubleInterval {

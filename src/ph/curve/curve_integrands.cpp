@@ -8,7 +8,7 @@
 // e₃·|v × r′||r′| = r′ × (v × r′) = v|r′|² − (v·r′)r′; (v × r″)·v = 0 leaves −(v·r′)·(v × r″)·r′ =
 // (v·r′)·det(v, r′, r″).
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // Each is written once, for a CurveJet and a CurvePoint.

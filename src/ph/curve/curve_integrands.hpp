@@ -3,7 +3,7 @@
 #include "phrame/ph/curve/curve_jet.hpp"
 #include "phrame/ph/curve/curve_point.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is integrated along a curve, for any parameter: y dt does not depend on it. It is analytic
 /// where the curve is and where what it divides by is not 0; σ = |r′|² is in it always.

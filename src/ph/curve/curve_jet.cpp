@@ -4,7 +4,7 @@
 #include "phrame/algebra/complex_series.hpp"
 #include "phrame/ph/curve/formula_program.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long disc_bits = 64;

@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/disc_function.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// |r′|, |r″| and |r‴| on |z| ≤ 8, component by component.
 using DiscBounds = std::array<Vector<RealBall>, 3>;

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 PointValue operator+(const PointValue& a, const PointValue& b) {
   return {add(a.value, b.value, a.bits), a.bits};

@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/disc_function.hpp"
 #include "phrame/ph/curve/expression_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A function at one point, where only its value matters: what a DiscFunction is on a disc.
 struct PointValue {

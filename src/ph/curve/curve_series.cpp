@@ -6,7 +6,7 @@
 
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// p(t + z) as a series in z. Of an interval it is that of the Taylor polynomial in the middle: the

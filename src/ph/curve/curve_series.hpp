@@ -5,7 +5,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How a plane segment r′ = p·H/W² goes and turns, with signs that algebra decides.
 struct SegmentTurning {

@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/formula_program.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_zero_vector(const Vector<Rational>& v) { return v == Vector<Rational>{}; }

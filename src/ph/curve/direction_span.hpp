@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Vectors ≠ 0, at least one, such that H is a sum of multiples of them everywhere on the segment.
 /// Of a rational curve there are no more than needed. Of a curve by formulas they are found by the

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 DiscFunction operator+(const DiscFunction& f, const DiscFunction& g) {
   return {add(f.series, g.series, f.bits), add(f.bound, g.bound, 64), f.length, f.bits};

@@ -6,7 +6,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A function of z that is analytic on |z| ≤ 8, by the first coefficients of its Taylor series and
 /// a bound of it on that disc. Then what is left out of the series, Σ_{k≥n} |c_k| rᵏ, is at most

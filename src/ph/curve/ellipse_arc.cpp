@@ -8,7 +8,7 @@
 // (p + q)/(1 + cos φ), and the weights 1, k, k with k = cos²(φ/2) = (1 + cos φ)/2 make the arc of
 // the three points, since w₁² = k w₀w₂: fractions, unlike the usual 1, cos(φ/2), 1.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 PlaneVector plane_sum(const PlaneVector& a, const Rational& c, const PlaneVector& b) {

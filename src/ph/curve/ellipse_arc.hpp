@@ -4,7 +4,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/ph/curve/rational_bezier.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Arcs of ellipses in the plane z = 0 as rational Bézier curves of degree 2, over ℚ. An ellipse is
 // the image of the unit circle; of that, an arc between rational points is rational. Where a point

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Integers over their least common denominator.

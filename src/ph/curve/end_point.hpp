@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// r(1). Cost: that of the products of A's coefficients, integers over one denominator; no
 /// polynomial r is made.

@@ -2,7 +2,7 @@
 
 #include "phrame/ph/curve/formula_evaluation.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using FormulaId = FormulaProgram::Id;

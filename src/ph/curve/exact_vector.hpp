@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/expression_curve.hpp"
 #include "phrame/ph/curve/formula_program.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A point or a direction at a parameter of an expression curve, as steps of a program that several
 /// may share: where two steps are the same, so are the numbers.

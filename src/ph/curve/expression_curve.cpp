@@ -11,7 +11,7 @@
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/known_integrals.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// With which the ends of the parameter are told apart.

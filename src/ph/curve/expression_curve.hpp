@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/formula.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class BallPolynomial;
 class ComplexSeries;

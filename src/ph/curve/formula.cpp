@@ -7,7 +7,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using FormulaOperation = Formula::Operation;

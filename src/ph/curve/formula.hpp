@@ -5,7 +5,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The largest numerator and denominator of an exponent.
 inline constexpr long max_exponent = 1'000'000;

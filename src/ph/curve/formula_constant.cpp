@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr std::size_t most_terms = 8;

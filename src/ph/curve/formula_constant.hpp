@@ -4,7 +4,7 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/ph/curve/formula.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// α + βπ with sums α and β of square roots: two of them are equal just where both parts are,
 /// because π is transcendental.

@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long domain_bits = 128;

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/expression_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A part [lower, upper] of the parameter t ∈ [0, 1] of 2^−40 or less at which, or next to which,
 /// something is wrong.

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 BallPolynomial constant_series(const RealBall& c, const BallPolynomial& /*like*/) {

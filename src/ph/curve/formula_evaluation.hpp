@@ -3,7 +3,7 @@
 #include "phrame/algebra/complex_series.hpp"
 #include "phrame/ph/curve/formula_program.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The Taylor series of all steps around the first coefficient of the series s, the variable, to
 /// `length` coefficients. Not finite where a step is undefined. Defined for BallPolynomial and

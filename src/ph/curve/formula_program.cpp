@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/real.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

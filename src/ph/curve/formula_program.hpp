@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/formula_constant.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Several expressions of one variable as one list of steps, in which no value is found twice, and
 /// constants are exact where they are seen to be: sums and multiples of α + βπ with sums α and β of

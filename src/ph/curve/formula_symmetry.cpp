@@ -6,7 +6,7 @@
 
 #include "phrame/ph/curve/formula_program.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using SymmetryOperation = Formula::Operation;

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/expression_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a function f does about a point c, as far as its form says.
 enum class FormulaSymmetry {

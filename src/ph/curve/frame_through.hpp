@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/rotation.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Orientations that a frame along a path is to have at joints of it, the ends among them.
 struct FrameThrough {

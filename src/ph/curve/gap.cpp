@@ -5,7 +5,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Rational rounding_gap(const std::vector<Vector<Rational>>& places) {
   Rational greatest;

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The distance that may be due to rounding between two places with such coordinates: 2^−48 of the
 /// greatest coordinate, some units in the last place of doubles.

@@ -30,7 +30,7 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The coefficient of tᵏ, where the coefficients are integers.

@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Why a hodograph has no form f · A i A* over ℚ: |r′|² = radicand · odd_factor · (a square in
 /// ℚ[t]), and not both are 1.

@@ -5,7 +5,7 @@
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/linear_system.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Polynomial sigma(const QuaternionPolynomial& a) { return norm(a); }
 

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The polynomials that the frames of a PH curve are made of. What depends on the preimage only is a
 // function of A = u + vi + pj + qk; α = u + iv, β = q + ip is its Hopf form.

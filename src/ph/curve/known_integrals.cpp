@@ -20,7 +20,7 @@
 // the integral and the sum are at most 2. So the error is at most Σ 8Mρ⁻ᵏ, k = 2n, 2n + 2, …, with
 // ρ = r + √(r² − 1) > 3 for r ≥ 2: less than 9M/ρ²ⁿ.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// More than the error that is asked for, against the errors of rounding.

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/taylor_parts.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What was found of the last integrals ∫₀ᵗ y dt along one curve by formulas, kept for all copies
 /// of the curve; any thread may ask. The curve is always the same.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Vector<double> local_origin(const std::vector<Vector<double>>& points) {
   Vector<double> middle{};

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A place near the points, from which their coordinates are small numbers, so that floats hold
 /// them well: the middle of the box around them, to the multiples of a power of two that is as

@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/nearness.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A curve and what it is called.
 struct NamedCurve {

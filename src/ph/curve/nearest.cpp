@@ -7,7 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 const RationalCurve& rational_segment(const Path& path, std::size_t k) {

@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where something is least or greatest along a path, and what it is there.
 struct PathExtreme {

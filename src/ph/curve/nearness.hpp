@@ -3,7 +3,7 @@
 
 #include "phrame/algebra/rational.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How near an exact PH curve or spline is to a given one, of the same degrees and with the same
 /// parameter.

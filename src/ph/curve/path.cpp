@@ -10,7 +10,7 @@
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Where a segment begins or ends: its numbers are steps of a program.

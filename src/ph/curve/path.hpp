@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/named.hpp"
 #include "phrame/ph/curve/segment.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A curve of any kind, or several joined to one. Segment k = 0, 1, … is the part [k, k + 1] of the
 /// parameter t. At the joints the position is continuous, exactly, and the unit tangent r′/|r′|,

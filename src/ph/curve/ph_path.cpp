@@ -16,7 +16,7 @@
 // new tangent, since its axis is normal to i, and from there the frame is turned by 2φ about it.
 // With w·z̄ in the place of w there is no such turn.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What the frame at an end of a curve depends on: A up to a positive factor, and the sign of f.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A PH curve, or several joined to one, a spline. Segment k = 0, 1, …, each with its own [0, 1],
 /// is the part [k, k + 1] of the parameter t; a curve by itself goes on for all t. At the joints

@@ -14,7 +14,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The values of dⁿr/dsⁿ at t, all components at once, kept for the bits that were asked for last.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class AlgebraicPoint;
 

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <utility>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 template <class Components>

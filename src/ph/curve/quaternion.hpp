@@ -4,7 +4,7 @@
 #include "phrame/algebra/gaussian_polynomial.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Three components x, y, z.
 template <class T>

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The Bézier curve Σ B_k w_k P_k / Σ B_k w_k on [0, 1], B_k the Bernstein polynomials of degree n.
 struct RationalBezier {

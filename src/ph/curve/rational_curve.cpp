@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {

@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A polynomial or rational curve r = X/W on [0, 1], whatever its hodograph:
 ///   r′ = p·H/W²,  X′W − XW′ = p·H,

@@ -10,7 +10,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/algebra/sturm.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_degree = 400;

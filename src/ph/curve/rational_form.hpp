@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/formula.hpp"
 #include "phrame/ph/curve/rational_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The curve of these formulas from s = a to s = b as X/W, where they are rational functions with
 /// fractions for coefficients and the ends are fractions; no value for others, and beyond degree

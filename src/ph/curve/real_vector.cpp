@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Vector<Real> as_reals(const Vector<Rational>& v) { return {v[0], v[1], v[2]}; }
 

@@ -4,7 +4,7 @@
 #include "phrame/algebra/algebraic_angle.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Vectors of real numbers: what can be exact is.
 

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// From a at t = k to b at k + 1.

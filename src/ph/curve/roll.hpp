@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/place.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// An angle along a path, by which a frame is turned about e₁ beside how it is else.
 class PHRAME_API Roll {

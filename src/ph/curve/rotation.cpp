@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Columns = std::array<Vector<Rational>, 3>;

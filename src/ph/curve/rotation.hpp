@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Which axis of a body that moves along a curve is the tangent e₁. f₂ and f₃ are the next two of
 /// x, y, z, x, y; where the tangent is the opposite of that axis they change places.

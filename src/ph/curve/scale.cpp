@@ -6,7 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Rational largest(const Vector<Rational>& v) { return std::max({abs(v[0]), abs(v[1]), abs(v[2])}); }
 

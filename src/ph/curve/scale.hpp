@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// @{ f of each part.
 template <class T, class F>

@@ -3,7 +3,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct PhSegment::State {
   Curve curve;

@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/expression_curve.hpp"
 #include "phrame/ph/curve/rational_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A PH curve as a segment of a path: by its preimage and, where that is asked for, by its
 /// positions. Copies share these.

@@ -9,7 +9,7 @@
 // a plane through 0 where n·(x, y, z) = 0, and in another plane, a·(x, y, z)/σ = c, where there is
 // a relation that σ takes part in. That plane cuts the sphere in the circle of the tangents.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The multiple of v ≠ 0 with coprime integer components by a positive number.

@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Straight lines, plane curves and helices, by the linear relations between x, y, z and σ, where
 // (x, y, z) = A i A*. The multiplier of a curve does not matter. Vectors have coprime integer

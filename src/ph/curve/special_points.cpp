@@ -5,7 +5,7 @@
 
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::vector<RealRoot> cusps(const Curve& curve, const Interval& interval) {
   return real_roots(curve.multiplier() * pow(real_content(curve.preimage()), 2), interval);

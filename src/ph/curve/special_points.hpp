@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/segment.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where r′ = 0: the real roots of f and of gcd(u, v, p, q) in the interval, with their order in
 /// |r′| = |f|·σ. None on a regular curve.

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The derivatives x_k of the C² cubic spline through points, over any numbers T: doubles, BigFloat,
 // fractions. With δ_k the slope of the chord from point k to k + 1 and h_k the parameter's step

@@ -10,7 +10,7 @@
 // Taylor series and, for what is left out of these, by Cauchy's estimate on |z| ≤ 8, where balls
 // enclose the derivatives of r.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long guess_bits = 64;

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/curve_integrands.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A part of [0, 1] of the parameter on which an integrand y is analytic, and on the disc of
 /// `radius` times its size, where |y| ≤ bound with z = ±1 at the ends.

@@ -8,7 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 void require_apart(const Rational& a, const Rational& b) {

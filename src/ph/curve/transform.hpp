@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Exact transformations: of the parameter, and of space about the origin.
 

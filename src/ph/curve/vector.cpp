@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Vector<Polynomial> differentiate(const Vector<Polynomial>& v) {
   return {differentiate(v[0]), differentiate(v[1]), differentiate(v[2])};

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Sums, multiples and products of vectors and quaternions, over any numbers: doubles, BigFloat,
 // integers, fractions.

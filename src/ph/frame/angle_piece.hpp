@@ -4,7 +4,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 inline constexpr long angle_bits = 128;  ///< of what is known of a piece
 

@@ -5,7 +5,7 @@
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/frame/integral_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// As angle_piece() has it.

@@ -2,7 +2,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// θ + start_angle on [from, to] as Taylor polynomials; shape.width = 1. Each is proved afterwards,
 /// whatever it was found by: with θ′ = n/d and a polynomial p, all of p′·d − n is known, so that on

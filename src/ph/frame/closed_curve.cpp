@@ -19,7 +19,7 @@
 // The frame of v turns as e₂ = v × e₁ does, and so does e₃, the part of v across the tangent: a
 // copy of the curve shifted a little along e₃ is linked with it as one shifted along v.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 const std::array<Vector<Rational>, 9> projections{{{0, 0, 1},

@@ -3,7 +3,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct CurveSeries;
 

@@ -5,7 +5,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/frame/angle_polynomials.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 CompiledAngle::CompiledAngle(const RmfAngle& angle, double from, double to,
                              const FrameAngle& start_angle)

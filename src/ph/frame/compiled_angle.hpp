@@ -6,7 +6,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class PiecewisePolynomial;
 

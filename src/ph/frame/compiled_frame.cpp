@@ -16,7 +16,7 @@
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // f₂ of a rotation-minimizing frame has a component that is 0 everywhere on plane curves only: of

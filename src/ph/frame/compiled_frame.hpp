@@ -5,7 +5,7 @@
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 class PiecewisePolynomial;
 struct NearNumber;

@@ -15,7 +15,7 @@
 //   s(y + δ) ≥ p(y) + 4E/3 − e ≥ S + E/3 > S > s(y − δ),
 // and as s increases, the y with s(y) = S is within δ of y, if all of that is in the piece.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// N of s′ = N/(D√S), with the sign that it has next to 0.

@@ -4,7 +4,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The arc length s of a path and its inverse for millions of numbers. Any thread may ask.
 class CompiledLength {

@@ -7,7 +7,7 @@
 #include "phrame/ph/frame/formula_piece.hpp"
 #include "phrame/ph/frame/integral_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A component of r = X/W, from its derivative (X′W − XW′)/W².

@@ -4,7 +4,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The position r for millions of parameters. Any thread may ask.
 class CompiledPoints {

@@ -11,7 +11,7 @@
 #include "phrame/ph/frame/rotation_piece.hpp"
 #include "phrame/ph/frame/rotation_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // B = A/√σ·e^{iφ} with φ′ = −k/d, so that

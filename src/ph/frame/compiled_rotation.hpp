@@ -2,7 +2,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The unit quaternion B = A/|A|·e^{i(θ + start_angle)/2} on [from, to] as Taylor polynomials of
 /// its four components; the rotation-minimizing frame is (B i B*, B j B*, B k B*), and A is the

@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 ErfTurning erf_turning(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();

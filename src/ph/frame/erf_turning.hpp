@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How the ERF turns about the tangent on [0, 1]: by ω₁ = 2h/(fσ²) per arc length, up to the sign
 /// of f. Cusps are left out.

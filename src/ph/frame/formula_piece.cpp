@@ -8,7 +8,7 @@
 #include "phrame/ph/frame/rotation_piece.hpp"
 #include "phrame/ph/frame/rotation_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // A polynomial of degree 16 is near enough where the nearest singularity is at |y| > 24 or so. So z

@@ -4,7 +4,7 @@
 #include "phrame/algebra/piecewise_polynomial.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Pieces of what is compiled along a curve by formulas: Taylor polynomials, with Cauchy's bounds on
 // the disc of eight times the size of the piece, |z| ≤ 4, for what they leave out. t is counted

@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A right-handed orthonormal frame; the first vector is along A i A*: the unit tangent, or its
 /// opposite where the multiplier f is negative.

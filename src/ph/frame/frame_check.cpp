@@ -10,7 +10,7 @@
 #include "phrame/ph/frame/near_deviation.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The sign of p next to t.

@@ -4,7 +4,7 @@
 #include "phrame/ph/frame/frame_start.hpp"
 #include "phrame/ph/frame/frame_verdict.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The frame that others are compared with, and the tolerance.
 struct FrameCheckOptions {

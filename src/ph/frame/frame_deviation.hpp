@@ -3,7 +3,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/frame/frame_verdict.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What a frame that somebody gives at some t is compared with. The vectors are ≠ 0, of any length.
 struct ExactFrame {

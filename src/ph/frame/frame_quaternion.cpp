@@ -4,7 +4,7 @@
 
 #include "phrame/ph/curve/real_vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // The rotation matrix M = (e₁ e₂ e₃) of Q = u + v i + p j + q k has the diagonal

@@ -1,6 +1,6 @@
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // n = (Re g·e₂ − Im g·e₃)/|g|, so that an angle to n is that to e₂ and arg g.
 FrameAngle start_angle(const FrameStart& start, const Curve& first, Reference reference,

@@ -5,7 +5,7 @@
 #include "phrame/ph/curve/ph_path.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A start with f₂ along this vector, once that is projected to the normal plane.
 struct StartNormal {

@@ -10,7 +10,7 @@
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/frame/up_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Kind = FrameFinding::Kind;

@@ -8,7 +8,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What somebody says a frame is at t, not necessarily orthonormal.
 struct GivenFrame {

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/frame/formula_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 std::optional<PolynomialPiece> integral_piece(
     std::size_t k, const Segment& segment, const PieceRate& rate, double low, double high,

@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/segment.hpp"
 #include "phrame/ph/frame/angle_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is integrated along a segment that is compiled: N/(D√S) of a rational curve, a function of
 /// formulas.

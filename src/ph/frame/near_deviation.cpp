@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/quaternion.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// What is not told from 0.

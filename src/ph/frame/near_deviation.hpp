@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/segment.hpp"
 #include "phrame/ph/frame/frame_deviation.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// deviation_from() of a frame at t of a PH curve, with θ there to the Euler–Rodrigues frame, in
 /// balls throughout: a tenth of the time. No value where a sign, or that a vector or a cosine is 0,

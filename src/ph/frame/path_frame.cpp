@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Vector<Real> over_size(const Vector<Real>& v, const Real& squared_size) {

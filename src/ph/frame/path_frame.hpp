@@ -3,7 +3,7 @@
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/frame/frame_start.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // Frames of a path of any kind. e₁ is along H, at a cusp, too. Components that are rational are
 // exact where t is, and where it is algebraic those of e₁, of the Euler–Rodrigues and the Frenet

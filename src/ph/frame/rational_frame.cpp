@@ -17,7 +17,7 @@
 // c} are rational: these are independent, and Im c must be an integer. Where all residues are, θ is
 // Σ k·arg v with even k and v the product of the t − z with the residue −ik/2.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The polynomial whose roots are the n with p(in) = 0, n real.

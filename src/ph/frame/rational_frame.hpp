@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rotation-minimizing frame that is rational: θ = 2·arg w, that is Im(w′/w) = −h/σ [Han 2008].
 struct RationalFrame {

@@ -3,7 +3,7 @@
 #include "phrame/algebra/ring_ball.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Ball = RingBall<rotation_bits>;

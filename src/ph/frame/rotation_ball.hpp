@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/frame/frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 inline constexpr long rotation_bits = 96;  ///< which are enough to round nearly all frames
 

@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// f·x + g·y + h·z.

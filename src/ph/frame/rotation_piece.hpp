@@ -4,7 +4,7 @@
 
 #include "phrame/algebra/piecewise_polynomial.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// u, v, p, q of a quaternion as series in the y of a piece.
 using QuaternionSeries = std::array<BallPolynomial, 4>;

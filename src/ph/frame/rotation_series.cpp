@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/ball_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The coefficient of yⁿ in w·b, quaternions.

@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/rotation_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The solution B of σB′ = w·B, a product of quaternions with the vector w, from B at 0, by the
 /// recurrence

@@ -6,7 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 RealBall inner_product(const Vector<Rational>& a, const Vector<RealBall>& b, long bits) {

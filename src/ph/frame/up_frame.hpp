@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/frame/frame_verdict.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The frame of a fixed vector v along a curve with unit tangent e₁, e₂ = v × e₁/|v × e₁| and e₃ =
 /// e₁ × e₂: the angle of f in (e₂, e₃), in [−π, π]. All of that where f is not told from −e₂ or

@@ -13,7 +13,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// With H along e₁.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// r + d·n with n = (e₁y, −e₁x): a rational curve of degree 2·degree(curve) − 1 at most, with H
 /// along e₁, whose points are at the distance |d| along the normal. To the right of travel for d >

@@ -8,7 +8,7 @@
 // between 46.2° and 106.3°.
 #include "phrame/ph/offset/offset_join.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Rational dot(const PlaneVector& a, const PlaneVector& b) { return a.x * b.x + a.y * b.y; }

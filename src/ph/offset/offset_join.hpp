@@ -4,7 +4,7 @@
 #include "phrame/ph/offset/offset.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A corner of a plane path, seen along e₁.
 struct PlaneCorner {

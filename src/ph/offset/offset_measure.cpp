@@ -9,7 +9,7 @@
 #include "phrame/integrate/integrate.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// ±|r′|, with the sign of p.

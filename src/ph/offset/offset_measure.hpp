@@ -2,7 +2,7 @@
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/ph/offset/offset.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A stretch of an offset, from a cusp at which it turns back, or where it begins, to the next one,
 /// or where it ends.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 Interval interval_of(const CurvePart& part) {
   return closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());

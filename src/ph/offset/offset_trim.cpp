@@ -25,7 +25,7 @@
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/path_distance.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long place_bits = 320;

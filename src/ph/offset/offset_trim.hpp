@@ -2,7 +2,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/ph/offset/offset.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A part of a piece of an offset, from where it is cut or joined to where it is again.
 struct OffsetPart {

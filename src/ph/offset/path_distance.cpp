@@ -11,7 +11,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 enum class Sign { never_negative, negative, unknown };

@@ -2,7 +2,7 @@
 #include "phrame/ph/curve/curve_arc.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What is nearer to a path in a plane z = const than |d|.
 class PathDistance {

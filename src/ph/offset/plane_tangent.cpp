@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 bool is_level(const Curve& curve) { return rotated_i(curve.preimage())[2].is_zero(); }
 

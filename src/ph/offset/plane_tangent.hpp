@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The tangent of a PH curve in a plane z = const, in lowest terms:
 ///   e₁ = (x, y)/σ,  x² + y² = σ²,  r′ = speed·e₁,  φ′ = turn/σ,

@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The angle φ of H, continuous.

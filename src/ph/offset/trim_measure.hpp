@@ -3,7 +3,7 @@
 
 #include "phrame/ph/offset/offset_trim.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The length of a branch, Σ |Δs + d·Δφ| of its parts, and of a closed one its area ½ ∮ (x dy −
 /// y dx), positive where it goes round to the left. Exact where all of it is straight.

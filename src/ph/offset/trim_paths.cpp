@@ -7,7 +7,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/offset_trim.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 Rational rounded(const Rational& x, long places) {

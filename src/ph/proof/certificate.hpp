@@ -4,7 +4,7 @@
 #include "phrame/ph/proof/stated_decisions.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Σ c(z)·log(t − z) over the roots z of q.
 struct CertifiedLogs {

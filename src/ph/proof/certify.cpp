@@ -10,7 +10,7 @@
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A prime modulo which a and b, not both 0, are coprime: proof that they are coprime.

@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The certificate of θ(t), correctly rounded to `digits` ≥ 1 significant digits, at each t, and of
 /// what `classify` says of the curve. The same on every machine. Throws DomainError for the Frenet

@@ -2,7 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 StatedPoint stated(const RealRoot& root) {

@@ -6,7 +6,7 @@
 #include "phrame/ph/proof/stated_decisions.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// As a certificate has them.
 StatedDecisions stated(const Classification& c);

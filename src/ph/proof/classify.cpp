@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 const Interval unit_interval = closed_interval(0, 1);

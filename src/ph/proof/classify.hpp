@@ -6,7 +6,7 @@
 #include "phrame/ph/frame/erf_turning.hpp"
 #include "phrame/ph/frame/rational_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Of which kinds a curve is, with a witness of each: docs/classification.md.
 struct Classification {

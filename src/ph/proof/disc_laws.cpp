@@ -6,7 +6,7 @@
 #include "phrame/algebra/ball_log.hpp"
 #include "phrame/algebra/ball_order.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Does the disc meet none of another sum?

@@ -2,7 +2,7 @@
 #include "phrame/algebra/ball.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // What the discs of a certificate prove by the laws of docs/certificate.md, if they are right.
 

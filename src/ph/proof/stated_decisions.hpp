@@ -5,7 +5,7 @@
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A point of [0, 1] as a certificate states it: the only root of the polynomial in the interval,
 /// which is a point for a rational number and else open.

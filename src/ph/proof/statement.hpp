@@ -5,7 +5,7 @@
 
 #include "phrame/algebra/sturm.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// |θ(t) − theta| ≤ radius.
 struct AngleClaim {

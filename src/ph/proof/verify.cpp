@@ -11,7 +11,7 @@
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 std::string objection_to_invariants(const Certificate& c) {

@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/proof/certificate.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Decides every statement of the certificate, starting from its curve, by another way than it was
 /// found: each disc by the interval Newton method, angles and turns by certified quadrature of θ′

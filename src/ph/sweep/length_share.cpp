@@ -9,7 +9,7 @@
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long share_bits = 96;

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/curve_series.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// s(t)/S, the share of the length of a path that lies before t, for many t: in doubles, by Taylor
 /// polynomials of |r′| with a bound of what they are off.

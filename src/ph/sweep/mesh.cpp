@@ -7,7 +7,7 @@
 
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 namespace {
 

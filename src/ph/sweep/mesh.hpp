@@ -7,7 +7,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Triangles that share points, each counterclockwise seen from outside.
 struct Mesh {

@@ -13,7 +13,7 @@
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/frame/frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 const char* name_of(Coordinates numbers) {

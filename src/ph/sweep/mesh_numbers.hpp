@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/sweep/mesh.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A mesh with coordinates that are floats, and how far its points are from those it was made of.
 struct MeshInFloats {

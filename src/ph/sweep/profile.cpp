@@ -11,7 +11,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/sweep/profile_triangles.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Around a side, in doubles: rounding keeps the order of numbers, so that sides whose boxes are

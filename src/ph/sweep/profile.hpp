@@ -6,7 +6,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A point of the plane of a profile: its coordinates along f₂ and f₃.
 using ProfilePoint = std::array<Rational, 2>;

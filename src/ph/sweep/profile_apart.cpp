@@ -11,7 +11,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr double least_part = 0x1p-40;      ///< of the size of the profile

@@ -1,7 +1,7 @@
 #pragma once
 #include "phrame/ph/sweep/profile_curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Throws Undecided unless the rings of the profile are seen to have no point in common, naming
 /// two of them: a curve lies within the box around its control points, exactly, and where two boxes

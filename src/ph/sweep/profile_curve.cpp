@@ -10,7 +10,7 @@
 #include "phrame/integrate/definite_integral.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Is the curve a Bézier curve with positive weights, which one?

@@ -4,7 +4,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/ph/sweep/profile.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational Bézier curve in the plane of a profile: Σ wₖPₖBₖ/Σ wₖBₖ.
 struct PlaneBezier {

@@ -7,7 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Twice the area of a triangle, > 0 where it is counterclockwise.

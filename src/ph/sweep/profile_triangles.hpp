@@ -5,7 +5,7 @@
 
 #include "phrame/ph/sweep/profile.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The sign of the area of a triangle: 1 where it is counterclockwise.
 int profile_turn(const ProfilePoint& a, const ProfilePoint& b, const ProfilePoint& c);

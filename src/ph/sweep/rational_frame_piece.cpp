@@ -13,7 +13,7 @@
 // it is rational, whatever w is; which w makes it rotation-minimizing, or of minimal twist, is
 // known from elsewhere.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 QuaternionPolynomial times(const QuaternionPolynomial& a, const GaussianPolynomial& w) {

@@ -5,7 +5,7 @@
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational frame along a part of a path, the Euler–Rodrigues frame of a preimage of its own.
 struct RationalFramePiece {

@@ -2,7 +2,7 @@
 
 #include "phrame/ph/curve/vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Homogeneous = Quaternion<Rational>;  ///< w and w·(x, y, z)

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rational.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A rational Bézier patch S(u, s) on [0, 1]², u around a profile and s along a path:
 /// Σ wₖₗPₖₗBₖ(s)Bₗ(u)/Σ wₖₗBₖ(s)Bₗ(u), exactly.

@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/sweep_scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A part of a path with its frame, in s ∈ [0, 1].

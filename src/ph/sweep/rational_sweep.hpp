@@ -4,7 +4,7 @@
 #include "phrame/ph/sweep/rational_frame_piece.hpp"
 #include "phrame/ph/sweep/rational_surface.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How a profile is swept exactly, along a path with a rational frame.
 struct RationalSweepForm {

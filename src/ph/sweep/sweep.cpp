@@ -16,7 +16,7 @@
 #include "phrame/ph/sweep/sweep_rates.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Sections from start to end, and what the triangles between them are off.

@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/sweep/mesh.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct SweepPath;
 struct SweepForm;

@@ -9,7 +9,7 @@
 #include "phrame/ph/sweep/profile.hpp"
 #include "phrame/ph/sweep/sweep_scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A path with its rotation-minimizing frame, as a sweep sees it.
 struct SweepPath {

@@ -9,7 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // The surface is S(u, t) = r + a·v(u), a = λe^{iφ}, v = x f₂ + y f₃ of the constant length |v|. On

@@ -5,7 +5,7 @@
 #include "phrame/ph/sweep/sweep_form.hpp"
 #include "phrame/ph/sweep/sweep_turn.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// λ and its first two derivatives.
 class ScaleRates {

@@ -8,7 +8,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 bool is_number(const RationalFunction& f) {

@@ -4,7 +4,7 @@
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// λ along a path, by which a profile is scaled.
 class PHRAME_API SweepScale {

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/sweep/sweep_rates.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The corners of a profile where it is on a path.
 struct SweepSection {

@@ -11,7 +11,7 @@
 //   d²φ/ds² = (a(6u − 4) + b(6u − 2))/S,
 // of which |(1 − u)(1 − 3u)| and |u(3u − 2)| are ≤ 1, |6u − 4| and |6u − 2| ≤ 4.
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long roll_bits = 96;

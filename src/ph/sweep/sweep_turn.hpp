@@ -4,7 +4,7 @@
 #include "phrame/ph/sweep/length_share.hpp"
 #include "phrame/ph/sweep/sweep_form.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// φ + ρ, the angle by which a profile turns against the rotation-minimizing frame, in doubles: φ
 /// evenly over the whole length, and leg by leg, and the roll ρ by t.

@@ -7,7 +7,7 @@
 #include "phrame/algebra/ball_roots.hpp"
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// An e with |x| about 2ᵉ; 0 for 0.

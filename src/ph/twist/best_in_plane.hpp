@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/ph/twist/wronskian_planes.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The best pair in a plane. All bases of it with the same determinant as a, b have
 //   a²+b² ↦ D = x₁a² + 2x₂ab + x₃b²,  x₁x₃ − x₂² = 1,  x₁ > 0,

@@ -6,7 +6,7 @@
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 RealBall greatest_angle(const RationalFunction& rate, long bits) {

@@ -2,7 +2,7 @@
 #include "phrame/algebra/real.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How far the angle of a rational frame, the Euler–Rodrigues frame turned by 2·arg(b + ia), is
 /// from that of the rotation-minimizing frame which has its direction at t = 0:

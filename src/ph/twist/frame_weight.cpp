@@ -13,7 +13,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A part of [0, 1] on which a polynomial has one sign.

@@ -5,7 +5,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The same curve with the real content of its preimage in the multiplier: σ has no real zero then,
 /// and f has all cusps.

@@ -6,7 +6,7 @@
 #include "phrame/ph/curve/formula_symmetry.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 StartAngle turned_on(const StartAngle& angle, const Integer& turns) {

@@ -3,7 +3,7 @@
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The exact minimal twist frame of a path [Farouki, Moon 2018]: the frame (f₂, f₃) that has the
 /// angles θ_i to (e₂, e₃) at the start and θ_f, up to whole turns, at the end, and turns about e₁

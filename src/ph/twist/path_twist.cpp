@@ -16,7 +16,7 @@
 //   ∫ω² ds = S·(δ² + (2(a² + b²) − ab)/15),  ∫ω′² ds = 4(a² + ab + b²)/S,
 // for ∫(1 − u)(1 − 3u) = ∫u(3u − 2) = 0 on [0, 1].
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A ball with the bits that it is computed with, as a number of a field.

@@ -4,7 +4,7 @@
 #include "phrame/ph/curve/frame_through.hpp"
 #include "phrame/ph/twist/twist_frame.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A frame along a path that has given orientations at the ends and at joints of it, and turns
 /// about e₁ as little as it can. With ω the rate of its turning per unit of length and φ = ∫ω ds,

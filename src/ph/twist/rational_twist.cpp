@@ -17,7 +17,7 @@
 #include "phrame/ph/twist/twist_minimum.hpp"
 #include "phrame/ph/twist/twist_search.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Complex = std::complex<double>;

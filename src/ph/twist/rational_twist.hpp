@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/twist/twist_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 struct Rotation;
 struct SignChanges;

@@ -6,7 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// Σ of a term for each parameter; the first is the constant.

@@ -2,7 +2,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/ph/twist/twist_piece.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// w(τ) = a(τ) + i·b(τ), which turns by θ = 2·arg w [Farouki, Moon 2018, (29)].
 struct Rotation {

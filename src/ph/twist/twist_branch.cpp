@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 ComplexBall value_at(const Rotation& w, const RealBall& tau) {

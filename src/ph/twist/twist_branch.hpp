@@ -4,7 +4,7 @@
 
 #include "phrame/ph/twist/twist_objective.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// @{ The precision of balls in proofs about a minimum, and such a ball. What is too wide to be of
 /// use becomes infinite, never wrong.

@@ -8,7 +8,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 // Where the frame is nearly exact E is small against its terms. They cancel in the coefficients of

@@ -3,7 +3,7 @@
 
 #include "phrame/ph/twist/rotation_family.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // How far a piece's frame, turned by a rational rotation w, is from one that turns at the constant
 // rate; proved. Per unit of τ it turns by

@@ -11,7 +11,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr std::size_t most_pieces = 1000;

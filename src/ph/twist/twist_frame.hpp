@@ -2,7 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/twist/rational_twist.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// Where a rational frame of minimal twist is divided, beside the joints.
 struct Subdivision {

@@ -10,7 +10,7 @@
 #include "phrame/ph/twist/twist_branch.hpp"
 #include "phrame/ph/twist/twist_error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// A lower bound of G″ on parameter intervals; −∞ where there is none. Kept, since each attempt of

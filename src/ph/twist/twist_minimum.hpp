@@ -2,7 +2,7 @@
 #include "phrame/ph/twist/rational_twist.hpp"
 #include "phrame/ph/twist/twist_search.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// From a guess, and one for the other sign of γ if that is to be looked at. The radius is about
 /// 2^−goal, where w(1/2) moves by its own length per unit, or less. Throws Undecided where this is

@@ -8,7 +8,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr unsigned gauss_points = 15;

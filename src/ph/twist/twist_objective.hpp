@@ -5,7 +5,7 @@
 
 #include "phrame/ph/twist/rotation_family.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// How far a rotation is from the constant rate, in doubles, for a search: nothing of it is proved.
 ///   G(w) = ∫₀¹ (erf_rate + θ′ − T·speed)²/speed dτ,

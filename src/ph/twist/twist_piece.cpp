@@ -9,7 +9,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// T·speed − erf_rate at τ.

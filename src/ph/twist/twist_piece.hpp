@@ -4,7 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/ph/twist/minimal_twist.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// What the rational rotations of a piece have to meet beside the orientations at its ends.
 enum class EndRates {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using Complex = std::complex<double>;

@@ -4,7 +4,7 @@
 
 #include "phrame/ph/twist/twist_objective.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// A member of a family with one parameter.
 struct LineGuess {

@@ -10,7 +10,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/scale.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 constexpr long most_pair_bits = 1L << 12;

@@ -3,7 +3,7 @@
 #include "phrame/ph/twist/best_in_plane.hpp"
 #include "phrame/ph/twist/frame_weight.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 /// The rational frame of [Peng, Pang, Pan 2023]: the Euler–Rodrigues frame of a curve turned by
 /// 2·arg(b + ia), where a and b are polynomials of degree ≤ 2m for a preimage of degree m, with

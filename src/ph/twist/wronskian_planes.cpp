@@ -5,7 +5,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 /// The first of 0, 1, −1, 2, … that is no root of p ≠ 0.

@@ -6,7 +6,7 @@
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 
 // The pairs of polynomials a, b of degree ≤ n with ab′ − a′b = N, deg N ≤ 2n − 2: the system (24)
 // of [Peng, Pang, Pan 2023], of rank 2n − 1 for 2n + 2 unknowns. With (a, b) it has (a, b)·G for

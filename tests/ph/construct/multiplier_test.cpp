@@ -6,7 +6,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "support/random.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using test::Random;

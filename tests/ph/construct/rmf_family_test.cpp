@@ -11,7 +11,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "support/random.hpp"
 
-namespace phrame {
+namespace phrame::inline v0 {
 namespace {
 
 using test::Random;
