@@ -14,7 +14,8 @@ TEST_CASE("recent: the last values are kept, those before are made again") {
   const auto at = [&](std::size_t k) {
     return *recent.get(k, [&] { return ++made, static_cast<int>(10 * k); });
   };
-  for (const std::size_t k : {0, 1, 2, 0, 1, 2}) CHECK(at(k) == static_cast<int>(10 * k));
+  for (const std::size_t k : {0UL, 1UL, 2UL, 0UL, 1UL, 2UL})
+    CHECK(at(k) == static_cast<int>(10 * k));
   CHECK(made == 3);
   CHECK(at(3) == 30);  // in the place of 0
   CHECK(at(2) == 20);

@@ -89,7 +89,7 @@ TEST_CASE("orientation columns: vectors, quaternions and matrices are of one fra
     const auto rows =
         frame_table(curve, with_quaternions({Kind::rmf, Kind::euler_rodrigues, Kind::frenet}), at)
             .rows;
-    for (const std::size_t first : {13, 23, 33})
+    for (const std::size_t first : {13UL, 23UL, 33UL})
       for (std::size_t k = 0; k < rows.size(); ++k) {
         // e₁ and 2 quantities each are rounded, products of four numbers below 1 summed.
         CHECK(deviation(rows[k], first) < 0x1p-50);
@@ -126,7 +126,7 @@ TEST_CASE("orientation columns: the matrices of a long table are those of short 
   for (long k = 0; k <= 1500; ++k) at.emplace_back(Rational(k, 1500));
   const Curve& curve = test::quintic;
   const FrameTable table = frame_table(curve, columns, at);
-  for (const std::size_t k : {7, 1111})
+  for (const std::size_t k : {7UL, 1111UL})
     CHECK(table.rows[k] == frame_table(curve, columns, {at[k]}).rows[0]);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("sweep: holes go through the body, and its caps are open there") {
   const std::vector<ProfilePoint> square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
   const std::vector<ProfilePoint> hole{{1, 1}, {2, 1}, {2, 2}};
   const std::vector<ProfilePoint> other{{4, 4}, {6, 4}, {6, 6}, {4, 6}};
-  for (const std::size_t count : {1, 2}) {
+  for (const std::size_t count : {1UL, 2UL}) {
     std::vector<std::vector<ProfilePoint>> rings{hole, square, other};
     rings.resize(count + 1);
     const SweptBody body = answer(line, within(Profile::of_rings(rings))).body;
@@ -372,16 +372,16 @@ TEST_CASE("sweep: a mitre nearer than the tolerance stands for the sections besi
 
 // Frustums of square pyramids: h/3·(a² + ab + b²).
 TEST_CASE("sweep: a scale by values at joints is linear in between") {
-  const Path line = test::polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+  const Path two_sides = test::polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
   SweepQuery query = within(rectangle_profile(1, 1), Rational(1, 1000000));
   query.scale = SweepScale(std::vector<Rational>{1, 2, 1});
-  const SweptBody body = answer(NamedPath("", line), query).body;
+  const SweptBody body = answer(NamedPath("", two_sides), query).body;
   check_body(body, 2);
   CHECK(std::abs(volume(body.mesh) - 14.0 / 3) < 1e-12);
   query.scale = SweepScale(std::vector<Rational>{1, 2});
-  CHECK_THROWS_AS(answer(NamedPath("", line), query), DomainError);
+  CHECK_THROWS_AS(answer(NamedPath("", two_sides), query), DomainError);
   query.scale = SweepScale(std::vector<Rational>{1, -2, 1});
-  CHECK_THROWS_AS(answer(NamedPath("", line), query), DomainError);
+  CHECK_THROWS_AS(answer(NamedPath("", two_sides), query), DomainError);
 }
 
 TEST_CASE("sweep scale: its greatest value is at a joint, or bounded by balls") {

@@ -39,7 +39,9 @@ TEST_CASE("endings: those that mean another format are refused, and nothing is w
     for (const Json& option : command["options"])
       if (option["names"].back() == "--output") ++with_output;
   CHECK(wrong.size() == with_output);
-  for (const auto& [call, end] : wrong) {
+  for (const auto& one : wrong) {
+    const auto& call = one.first;
+    const auto& end = one.second;
     CAPTURE(call);
     const std::string name = call.substr(0, call.find(' '));
     check_failure(here.run(call + " -o out." + end), 2, " is no format of " + name);

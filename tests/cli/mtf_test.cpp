@@ -84,13 +84,14 @@ TEST_CASE("mtf: an end that is left out is the least rotation there") {
   const std::string y = std::to_string(1 + last[4].get<double>());
   const Json vectors = frames(" --from-vector -4,10,0 --to-vector " +
                               std::to_string(-last[5].get<double>()) + "," + y + ",0");
-  for (const std::size_t row : {0, 1})
-    for (const std::size_t cell : {7, 8, 9, 10, 11, 12})
+  for (const std::size_t row : {0UL, 1UL})
+    for (const std::size_t cell : {7UL, 8UL, 9UL, 10UL, 11UL, 12UL})
       CHECK(std::abs(none["rows"][row][cell].get<double>() -
                      vectors["rows"][row][cell].get<double>()) < 1e-5);
   // That of the rotation-minimizing frame at the start.
   const Json rmf = Json::parse(here.run("frames quintic.json --at 0 --format json").out);
-  for (const std::size_t cell : {7, 8, 9}) CHECK(none["rows"][0][cell] == rmf["rows"][0][cell]);
+  for (const std::size_t cell : {7UL, 8UL, 9UL})
+    CHECK(none["rows"][0][cell] == rmf["rows"][0][cell]);
   const Json both = Json::parse(here.run("mtf quintic.json --print json").out);
   CHECK(both["start"] == "least rotation");
   CHECK(both["end"] == "least rotation");

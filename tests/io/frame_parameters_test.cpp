@@ -103,10 +103,11 @@ TEST_CASE("frame parameters: those of the file, shares and lengths are told by t
     units.push_back(t / 3);
   }
   const std::vector<Rational> native{0, Rational(7, 10), 2, Rational(39, 10), 4};
-  for (const auto& [given, what] :
-       {std::pair(native, "the parameter of the file"),
-        std::pair(units, "t over the number of segments"), std::pair(shares, "the share"),
-        std::pair(lengths, "the arc")}) {
+  for (const auto& reading : {std::pair(native, "the parameter of the file"),
+                              std::pair(units, "t over the number of segments"),
+                              std::pair(shares, "the share"), std::pair(lengths, "the arc")}) {
+    const auto& given = reading.first;
+    const std::string what = reading.second;
     CAPTURE(what);
     const auto found = better_parameters(named, frames_at(named, some, given));
     REQUIRE(found);

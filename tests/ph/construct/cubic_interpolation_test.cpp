@@ -51,6 +51,7 @@ Vector<Rational> first_at_end(const BezierPoints& b, const Rational& step) {
 /// allows: 4/h from each of the two derivatives and 2/h from each at the other end, on both sides.
 void check_spline(const CubicInterpolation& data) {
   const auto [derivatives, error] = cubic_derivatives(data);
+  const Rational& bound = error;
   const std::size_t n = data.points.size() - 1;
   std::vector<BezierPoints> pieces;
   for (std::size_t k = 0; k < n; ++k) pieces.push_back(cubic_piece(data, derivatives, k));
@@ -58,7 +59,7 @@ void check_spline(const CubicInterpolation& data) {
     return Rational(data.parameters[k + 1] - data.parameters[k]);
   };
   const auto check_second = [&](const Vector<Rational>& difference, const Rational& least_step) {
-    CHECK(largest(difference) <= 12 * error / least_step);
+    CHECK(largest(difference) <= 12 * bound / least_step);
   };
   for (std::size_t k = 0; k < n; ++k) {
     CHECK(pieces[k].front() == data.points[k]);

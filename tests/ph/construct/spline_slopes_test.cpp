@@ -47,7 +47,9 @@ TEST_CASE("spline slopes: law: second derivatives agree at the joints, and the e
     for (const SplineEnds ends : {SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic}) {
       const bool is_closed = ends == SplineEnds::periodic;
       if (is_closed && n == 1) continue;
-      const auto [h, slopes] = random_chords(random, n, is_closed);
+      const Chords chords = random_chords(random, n, is_closed);
+      const auto& h = chords.h;
+      const auto& slopes = chords.slopes;
       const Vector<Rational> first{1, 2, random.integer(-5, 5)};
       const Vector<Rational> last{random.integer(-5, 5), 0, 3};
       const auto x = cubic_spline_slopes(h, slopes, ends, {first, last});

@@ -10,7 +10,9 @@ using test::expression_curve;
 using test::torus_knot;
 
 TEST_CASE("crossings: seen from above, a torus knot has its least number of them") {
-  for (const auto& [p, q] : {std::pair(2L, 3L), {2L, 5L}, {3L, 4L}, {3L, 7L}}) {
+  for (const auto& turns : {std::pair(2L, 3L), {2L, 5L}, {3L, 4L}, {3L, 7L}}) {
+    const long p = turns.first;
+    const long q = turns.second;
     CAPTURE(p);
     CAPTURE(q);
     const auto found = self_crossings(series_of(Path(torus_knot(p, q))), {0, 0, 1});
