@@ -259,9 +259,8 @@ TEST_CASE("options: each one, and each pair, is refused or changes the answer") 
         const auto& [a, only_a] = accepted[i];
         const auto& [b, only_b] = accepted[j];
         if (a.option == b.option) continue;
-        // Every sixtieth pair is enough for every day; a program that ignores an option is seen
-        // above.
-        if (++pairs % everyday(60, 1) != 0) continue;
+        // Every day of every two hundredth pair: a program that ignores an option is seen above.
+        if (++pairs % everyday(200, 1) != 0) continue;
         const std::string both = a.text + " " + b.text;
         const Run run = here.run(call + " " + both);
         if (is_refused(run)) continue;
