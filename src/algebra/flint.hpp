@@ -39,9 +39,9 @@
 #include <arb_poly.h>
 #include <arf.h>
 #include <mag.h>
+#endif
 
 #include "phrame/export.hpp"
-#endif
 
 namespace phrame::inline v0 {
 
