@@ -143,8 +143,12 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
   else
     query.tolerance_or_sections =
         within ? *within : exact_rational(query.profile.reach() * greatest / 200);
-  return nb::cast(SweepObject{std::make_shared<const SweepAnswer>(
-      without_gil([named = path.named, query] { return answer(named, query); }))});
+  return nb::cast(
+      SweepObject{std::make_shared<const SweepAnswer>(without_gil([named = path.named, query] {
+        SweepAnswer found = answer(named, query);
+        found.body.mesh.remark = sweep_remark(query);
+        return found;
+      }))});
 }
 
 /// Rows of three numbers, which nobody may write to.
@@ -194,8 +198,9 @@ nb::object save(const SweepObject& self, nb::handle file) {
 /// What was pickled.
 nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& points,
                  const nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig>& triangles,
-                 nb::handle origin, std::size_t sections, std::optional<double> error,
-                 std::optional<double> normal_error, long folds, bool is_closed, double turn) {
+                 nb::handle origin, const std::string& remark, std::size_t sections,
+                 std::optional<double> error, std::optional<double> normal_error, long folds,
+                 bool is_closed, double turn) {
   SweepAnswer found{{}, is_closed, turn};
   Mesh& mesh = found.body.mesh;
   for (std::size_t k = 0; k < points.shape(0); ++k)
@@ -203,6 +208,7 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
   for (std::size_t k = 0; k < triangles.shape(0); ++k)
     mesh.triangles.push_back({triangles(k, 0), triangles(k, 1), triangles(k, 2)});
   mesh.origin = vector(origin, "origin");
+  mesh.remark = remark;
   found.body.sections = sections;
   found.body.error = error;
   found.body.normal_error = normal_error;
@@ -213,7 +219,7 @@ nb::object swept(const nb::ndarray<const double, nb::ndim<2>, nb::c_contig>& poi
 }  // namespace
 
 void bind_sweep(nb::module_& m) {
-  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(),
+  m.def("_swept", swept, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(),
         nb::arg().none(), nb::arg(), nb::arg(), nb::arg());
   m.def("sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
         PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
@@ -286,8 +292,9 @@ void bind_sweep(nb::module_& m) {
             const auto& origin = body.mesh.origin;
             return remade("_swept", points_of(s), triangles_of(s),
                           to_python(std::vector<Rational>(origin.begin(), origin.end())),
-                          body.sections, nb::cast(body.error), nb::cast(body.normal_error),
-                          body.folds, s.found->is_closed, s.found->turn);
+                          body.mesh.remark, body.sections, nb::cast(body.error),
+                          nb::cast(body.normal_error), body.folds, s.found->is_closed,
+                          s.found->turn);
           },
           PHRAME_REDUCE_SIG);
   bind_python(type, "plot", "phrame._plot", "body",

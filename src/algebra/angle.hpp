@@ -6,13 +6,12 @@
 
 namespace phrame::inline v0 {
 
-/// An angle known exactly: π·half_turns + radians. It is rational where half_turns = 0 only,
-/// because π is not.
+/// An angle known exactly: π·half_turns + radians, a rational number only where half_turns = 0.
 struct Angle {
   Rational half_turns;  ///< the multiple of π
   Rational radians;     ///< what is added to it
 
-  /// So many radians.
+  /// That many radians.
   Angle(Rational in_radians = 0)  // NOLINT(google-explicit-constructor)
       : radians(std::move(in_radians)) {}
   /// π·times_pi + in_radians.
@@ -21,7 +20,7 @@ struct Angle {
   friend bool operator==(const Angle&, const Angle&) = default;
 };
 
-/// Exact where the angle is rational.
+/// The angle as a real number; exact where it is rational.
 PHRAME_API Real to_real(const Angle& angle);
 
 /// "1/3", "pi/4", "-31pi/40", "1/3 + pi/4".

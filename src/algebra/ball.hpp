@@ -12,12 +12,12 @@ namespace phrame::inline v0 {
 class PHRAME_API RealBall {
  public:
   RealBall() = default;  ///< exactly 0
-  /// A ball around x; without a radius where x has at most so many bits and is dyadic.
+  /// A ball around x; its radius is 0 where x is dyadic and has at most that many bits.
   RealBall(const Rational& x, long bits);
-  /// Any real number: what is known of a value that could not be computed.
+  /// All real numbers: the enclosure of a value that could not be computed.
   static RealBall unknown();
 
-  /// @{ Of the ball, exact. Precondition: is_finite().
+  /// @{ The ends, the radius and the midpoint, exactly. Precondition: is_finite().
   Rational lower() const;
   Rational upper() const;
   Rational radius() const;
@@ -25,7 +25,7 @@ class PHRAME_API RealBall {
   /// @}
   /// Are both ends finite?
   bool is_finite() const { return arb_is_finite(raw()) != 0; }
-  /// Is it exactly 0, without a radius?
+  /// Is the number known to be 0?
   bool is_zero() const { return arb_is_zero(raw()) != 0; }
   /// May the number be x?
   bool contains(const Rational& x) const;
@@ -45,12 +45,13 @@ class PHRAME_API RealBall {
   flint::Arb handle_;
 };
 
-/// The sign of all numbers in it; 0 where it is not certain, or 0.
+/// −1 or 1 where all numbers in the ball have that sign; otherwise 0.
 PHRAME_API int sign(const RealBall& a);
-PHRAME_API RealBall absolute(const RealBall& a);  ///< of |a|
-/// A double next to the midpoint, for guesses.
+PHRAME_API RealBall absolute(const RealBall& a);  ///< |a|
+/// A double near the midpoint, for estimates that need no proof.
 PHRAME_API double approximate(const RealBall& a);
-/// A double that no number of the ball exceeds, next to the least one; +∞ where there is none.
+/// A double that no number of the ball exceeds: the least such double or the next one; +∞ where
+/// there is none.
 PHRAME_API double upper_double(const RealBall& a);
 /// A ball that contains [a, b].
 PHRAME_API RealBall hull(const Rational& a, const Rational& b, long bits);
@@ -69,7 +70,7 @@ PHRAME_API RealBall add_product(RealBall sum, const RealBall& a, const RealBall&
 PHRAME_API RealBall sqrt(const RealBall& a, long bits);
 /// aᵏ, k ≥ 0.
 PHRAME_API RealBall pow(const RealBall& a, long k, long bits);
-/// √a for an a that is known not to be negative, though its ball may have negative numbers.
+/// √a for a number that is known to be ≥ 0, although its ball may contain negative ones.
 PHRAME_API RealBall sqrt_of_nonnegative(const RealBall& a, long bits);
 /// 2ᵏ·a, exactly.
 PHRAME_API RealBall times_power_of_two(RealBall a, long k);
@@ -96,18 +97,18 @@ class PHRAME_API ComplexBall {
  public:
   ComplexBall() = default;                              ///< exactly 0
   ComplexBall(const RealBall& re, const RealBall& im);  ///< re + i·im
-  /// Any complex number.
+  /// All complex numbers.
   static ComplexBall unknown();
 
   RealBall re() const;  ///< the real part
   RealBall im() const;  ///< the imaginary part
-  /// The middle, exact.
+  /// The midpoint, exactly.
   ComplexBall midpoint() const;
   /// May the two numbers be equal?
   bool overlaps(const ComplexBall& other) const { return acb_overlaps(raw(), other.raw()) != 0; }
   /// Are all numbers of the other in this one?
   bool contains(const ComplexBall& other) const { return acb_contains(raw(), other.raw()) != 0; }
-  /// Is it the same rectangle? Whether the numbers meant are equal is another question.
+  /// Are both the same rectangle? The two numbers need not be equal then.
   bool is_same_ball(const ComplexBall& other) const { return acb_equal(raw(), other.raw()) != 0; }
   /// The relative accuracy in bits; a large negative number for a ball that contains 0.
   long accuracy_bits() const { return acb_rel_accuracy_bits(raw()); }
@@ -120,7 +121,7 @@ class PHRAME_API ComplexBall {
 };
 
 PHRAME_API ComplexBall conjugate(const ComplexBall& z);         ///< the complex conjugate
-PHRAME_API RealBall absolute(const ComplexBall& z, long bits);  ///< of |z|
+PHRAME_API RealBall absolute(const ComplexBall& z, long bits);  ///< |z|
 /// @{ The sum, difference and product.
 PHRAME_API ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits);
 PHRAME_API ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits);
@@ -136,7 +137,7 @@ PHRAME_API RealBall argument_about_pi(const ComplexBall& z, long bits);
 PHRAME_API ComplexBall evaluate(const Polynomial& p, const ComplexBall& z, long bits);
 PHRAME_API RealBall evaluate(const Polynomial& p, const RealBall& x, long bits);
 /// @}
-/// f(x); not finite where the denominator is not kept from 0.
+/// f(x); not finite where the ball of the denominator contains 0.
 PHRAME_API RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits);
 /// @{ a/b and 1/b; not finite where b contains 0.
 PHRAME_API ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits);
@@ -147,8 +148,8 @@ PHRAME_API ComplexBall inverse(const ComplexBall& b, long bits);
 /// wide; "0" for a ball that contains 0.
 PHRAME_API std::string to_string(const RealBall& a, long digits);
 
-/// @{ "[0.333333333333333 +/- 3.34e-16]": up to 15 digits, and a bound of how far any number of the
-/// ball is from them; of a complex one "[…] + […]*i".
+/// @{ Writes "[0.333333333333333 +/- 3.34e-16]": up to 15 digits and a bound of the distance
+/// between them and any number of the ball; "[…] + […]*i" for a complex one.
 PHRAME_API std::ostream& operator<<(std::ostream& out, const RealBall& a);
 PHRAME_API std::ostream& operator<<(std::ostream& out, const ComplexBall& z);
 /// @}

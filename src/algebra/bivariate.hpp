@@ -15,7 +15,7 @@ class PHRAME_API Bivariate {
   bool is_zero() const { return coefficients_.empty(); }                       ///< is it 0?
   /// The coefficient of tᵏ; 0 beyond the degree.
   Polynomial coefficient(long k) const;
-  /// Of t⁰, t¹, …; the last is not 0.
+  /// The coefficients of t⁰, t¹, …; the last is not 0.
   const std::vector<Polynomial>& coefficients() const { return coefficients_; }
 
   friend bool operator==(const Bivariate&, const Bivariate&) = default;
@@ -24,10 +24,12 @@ class PHRAME_API Bivariate {
   std::vector<Polynomial> coefficients_;  ///< the last one is not 0
 };
 
-/// One polynomial from each `size` ≥ 1 numbers of the list, of which it divides the length.
+/// Cuts the list into rows of `size` ≥ 1 numbers, of which its length is a multiple, and makes each
+/// row a polynomial.
 PHRAME_API std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size);
 
-/// v ≠ 0 over its content: coprime integers, the leading one of the leading coefficient > 0.
+/// v ≠ 0 divided by its content: all of its numbers are integers without a common divisor, and the
+/// leading coefficient has a positive leading coefficient.
 PHRAME_API Bivariate primitive_part(const Bivariate& v);
 /// The coefficients of t⁰, t¹, … of primitive_part(v).
 PHRAME_API std::vector<IntegerPolynomial> integer_rows(const Bivariate& v);
@@ -42,15 +44,15 @@ class PHRAME_API QuotientRing {
   explicit QuotientRing(Polynomial q);
 
   const Polynomial& modulus() const { return modulus_; }  ///< q
-  /// @{ The element that it stands for, of degree < deg q in x.
+  /// @{ The representative of degree < deg q in x.
   Polynomial reduce(const Polynomial& a) const { return a % modulus_; }
   Bivariate reduce(const Bivariate& v) const;
   /// @}
   /// a·b.
   Polynomial multiply(const Polynomial& a, const Polynomial& b) const { return (a * b) % modulus_; }
-  /// n·a⁻¹. Throws DomainError where gcd(a, q) ≠ 1. Cost: an inverse modulo each of as
-  /// many primes as the result has words to a coefficient, the number of which is bounded
-  /// beforehand.
+  /// n·a⁻¹. Throws DomainError where gcd(a, q) ≠ 1. Cost: one inverse
+  /// modulo each of several primes, about as many as the coefficients of the result have words; how
+  /// many are needed is bounded beforehand.
   Polynomial divide(const Polynomial& n, const Polynomial& a) const;
   /// Σ a(α) over the roots α of q, with multiplicity.
   Rational trace(const Polynomial& a) const;

@@ -6,7 +6,7 @@
 
 namespace phrame::inline v0 {
 
-/// What every exception of phrame derives from.
+/// The base class of all errors that phrame throws.
 class PHRAME_API Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,9 +29,9 @@ class PHRAME_API Undecided : public Error {
 /// option), `reason` what is wrong, with the value; what() is "place: reason".
 class PHRAME_API InputError : public Error {
  public:
-  /// Without a place, for a caller who knows it.
+  /// Without a place, which a caller may add.
   explicit InputError(std::string reason) : Error(reason), reason_(std::move(reason)) {}
-  /// At this place.
+  /// With its place.
   InputError(std::string place, std::string reason)
       : Error(place + ": " + reason), place_(std::move(place)), reason_(std::move(reason)) {}
 

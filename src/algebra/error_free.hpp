@@ -9,7 +9,7 @@ namespace phrame::inline v0 {
 static_assert(FLT_EVAL_METHOD >= 0 && FLT_EVAL_METHOD != 2 && FLT_EVAL_METHOD <= 64,
               "doubles are computed with more digits");
 
-/// Doubles are rounded to nearest while it lives, in this thread, whatever was set before.
+/// While it lives, doubles are rounded to nearest in this thread, whatever was set before.
 class RoundingToNearest {
  public:
   RoundingToNearest() : before_(std::fegetround()) {
@@ -25,13 +25,13 @@ class RoundingToNearest {
   int before_;
 };
 
-/// By a call of its own, before and behind which the compiler moves no sums.
+/// compute(), by a call across which the compiler moves no arithmetic.
 template <class Compute>
 [[gnu::noinline]] auto computed_apart(const Compute& compute) {
   return compute();
 }
 
-/// What is computed with doubles rounded to nearest. Costs a nanosecond or two where they are.
+/// compute() with doubles rounded to nearest. Costs a nanosecond or two where they are already.
 template <class Compute>
 auto rounding_to_nearest(const Compute& compute) {
   if (std::fegetround() == FE_TONEAREST) return compute();
@@ -101,8 +101,8 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
-/// The double that all numbers within `error` of high + low round to, where there is one [Ziv
-/// 1991]. Precondition: |low| is at most about an ulp of high.
+/// The double to which all numbers within `error` of high + low round; no value where there is none
+/// [Ziv 1991]. Precondition: |low| is at most about an ulp of high.
 inline std::optional<double> common_double(const DoubleDouble& x, double error) {
   // The last term and the last factor cover the rounding of these sums and of those below.
   const double radius = (error + std::abs(x.low) * 0x1p-50) * (1 + 0x1p-50);
@@ -111,7 +111,7 @@ inline std::optional<double> common_double(const DoubleDouble& x, double error) 
   return std::nullopt;
 }
 
-/// The same of a number that is known so.
+/// The same for a NearNumber.
 inline std::optional<double> common_double(const NearNumber& x) {
   return common_double(x.value, x.error);
 }

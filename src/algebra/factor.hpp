@@ -11,9 +11,9 @@ struct Factor {
   friend bool operator==(const Factor&, const Factor&) = default;
 };
 
-/// p = unit · ∏ baseᵏ, the bases pairwise coprime. In order of degree, then exponent, then
-/// coefficients from the highest down, by size, so that equal polynomials have equal factorizations
-/// and t comes before t − 1.
+/// p = unit · ∏ baseᵏ with bases that are coprime in pairs. They are sorted by degree, then
+/// exponent, then absolute values of the coefficients from the highest down: equal polynomials have
+/// equal factorizations, and t comes before t − 1.
 struct Factorization {
   Rational unit;                ///< content(p), with its sign
   std::vector<Factor> factors;  ///< none for a constant

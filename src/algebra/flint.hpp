@@ -45,8 +45,8 @@
 
 namespace phrame::inline v0 {
 
-/// Frees what FLINT, Arb and MPFR keep for later use in this thread: numbers, and digits of π. Call
-/// it when no number of ours exists any more, for a leak checker to be content.
+/// Frees what FLINT, Arb and MPFR keep for later use in this thread, such as digits of π, so that a
+/// leak checker finds nothing. Call it when no number of phrame exists any more.
 PHRAME_API void release_caches();
 
 }  // namespace phrame

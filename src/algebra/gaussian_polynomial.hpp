@@ -12,7 +12,7 @@ struct GaussianPolynomial {
   friend bool operator==(const GaussianPolynomial&, const GaussianPolynomial&) = default;
 };
 
-/// @{ Exact.
+/// @{ Exact arithmetic.
 PHRAME_API GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
 PHRAME_API GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
 PHRAME_API GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
@@ -20,9 +20,9 @@ PHRAME_API GaussianPolynomial operator*(const Polynomial& a, const GaussianPolyn
 /// @}
 
 PHRAME_API bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
-PHRAME_API long degree(
-    const GaussianPolynomial& a);  ///< the greater of those of the parts; −1 for 0
-/// The coefficients conjugated; the variable is real.
+/// The greater degree of the two parts; −1 for 0.
+PHRAME_API long degree(const GaussianPolynomial& a);
+/// The complex conjugate at real t: re − i·im.
 PHRAME_API GaussianPolynomial conjugate(const GaussianPolynomial& a);
 PHRAME_API GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
 /// |a|² = a·ā ∈ ℚ[t].
@@ -36,7 +36,7 @@ PHRAME_API GaussianPolynomial exact_quotient(const GaussianPolynomial& a,
 /// Cost: Euclid's algorithm modulo as many primes as the result, not a or b, is long.
 PHRAME_API GaussianPolynomial gcd(const GaussianPolynomial& a, const GaussianPolynomial& b);
 
-/// "(t^2 - 1) + (2*t)*i".
+/// Writes "(t^2 - 1) + (2*t)*i".
 PHRAME_API std::ostream& operator<<(std::ostream& out, const GaussianPolynomial& p);
 
 }  // namespace phrame

@@ -10,7 +10,7 @@
 
 namespace phrame::inline v0 {
 
-/// What C++ calls an integer, but for truth values.
+/// The integer types of C++, without bool.
 template <class T>
 concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
 
@@ -20,7 +20,7 @@ concept MachineInteger = std::integral<T> && !std::same_as<T, bool>;
 class PHRAME_API Integer {
  public:
   Integer() = default;  ///< 0
-  /// x, of any of these types.
+  /// The value of x.
   template <MachineInteger T>
   Integer(T x) {  // NOLINT(google-explicit-constructor)
     if constexpr (std::signed_integral<T>)
@@ -31,25 +31,25 @@ class PHRAME_API Integer {
   explicit Integer(const fmpz_t x) { fmpz_set(raw(), x); }  ///< a copy of FLINT's
   /// "-12": decimal digits after an optional minus. Throws InputError on anything else.
   explicit Integer(const std::string& decimal) : Integer(decimal, 10) {}
-  /// In a base from 2 to 36. Throws InputError as above.
+  /// The same in a base from 2 to 36.
   Integer(const std::string& digits, int base);
 
   /// −1, 0 or 1.
   int sign() const { return fmpz_sgn(raw()); }
-  /// In base 10, or another from 2 to 36, digits above 9 being a, b, …
+  /// The digits in a base from 2 to 36; digits above 9 are a, b, …
   std::string str(int base = 10) const;
   /// Throws DomainError where it does not fit.
   explicit operator long() const;
   /// The nearest double, ±∞ beyond them.
   explicit operator double() const;
 
-  /// @{ Exact.
+  /// @{ Exact arithmetic.
   Integer& operator+=(const Integer& x) { return fmpz_add(raw(), raw(), x.raw()), *this; }
   Integer& operator-=(const Integer& x) { return fmpz_sub(raw(), raw(), x.raw()), *this; }
   Integer& operator*=(const Integer& x) { return fmpz_mul(raw(), raw(), x.raw()), *this; }
   /// @}
-  /// @{ Rounded towards 0, and the remainder, with the sign of the dividend. Throw DomainError for
-  /// x = 0.
+  /// @{ The quotient rounded towards 0, and the remainder, which has the sign of the dividend. Both
+  /// throw DomainError for x = 0.
   Integer& operator/=(const Integer& x);
   Integer& operator%=(const Integer& x);
   /// @}
@@ -57,9 +57,9 @@ class PHRAME_API Integer {
   Integer& operator<<=(unsigned long n) { return fmpz_mul_2exp(raw(), raw(), n), *this; }
   /// ⌊this/2ⁿ⌋.
   Integer& operator>>=(unsigned long n) { return fmpz_fdiv_q_2exp(raw(), raw(), n), *this; }
-  Integer& operator++() { return *this += 1; }  ///< the next one
+  Integer& operator++() { return *this += 1; }  ///< adds 1
 
-  /// @{ What the assignments above make of a copy.
+  /// @{ As the assignments above, on a copy.
   friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
   friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }
   friend Integer operator*(Integer a, const Integer& b) { return std::move(a *= b); }
@@ -85,15 +85,15 @@ class PHRAME_API Integer {
   flint::Fmpz handle_;
 };
 
-/// In base 10.
+/// Writes x in base 10.
 PHRAME_API std::ostream& operator<<(std::ostream& out, const Integer& x);
 
 inline Integer abs(Integer x) { return fmpz_abs(x.raw(), x.raw()), x; }  ///< |x|
-/// @{ Not negative; gcd(0, 0) = 0.
+/// @{ The greatest common divisor and the least common multiple, both ≥ 0; gcd(0, 0) = 0.
 PHRAME_API Integer gcd(const Integer& a, const Integer& b);
 PHRAME_API Integer lcm(const Integer& a, const Integer& b);
 /// @}
-PHRAME_API Integer pow(const Integer& base, unsigned long exponent);  ///< the power; 0⁰ = 1
+PHRAME_API Integer pow(const Integer& base, unsigned long exponent);  ///< baseᵉ; 0⁰ = 1
 /// ⌊√x⌋. Throws DomainError for x < 0.
 PHRAME_API Integer sqrt(const Integer& x);
 /// ⌊a/b⌋. Throws DomainError for b = 0.

@@ -22,14 +22,14 @@ class PHRAME_API Polynomial {
   static Polynomial monomial(const Rational& c, long k);
 
   long degree() const { return fmpq_poly_degree(raw()); }  ///< −1 for 0
-  /// @{ By the degree: 0 is a constant, too.
+  /// @{ Is it 0; is it a constant, such as 0?
   bool is_zero() const { return fmpq_poly_is_zero(raw()) != 0; }
   bool is_constant() const { return degree() <= 0; }
   /// @}
 
-  /// 0 beyond the degree; k ≥ 0.
+  /// The coefficient of tᵏ, k ≥ 0; 0 beyond the degree.
   Rational coefficient(long k) const;
-  /// That of the highest power; 0 for 0.
+  /// The coefficient of the highest power; 0 for 0.
   Rational leading_coefficient() const { return is_zero() ? Rational(0) : coefficient(degree()); }
   std::vector<Rational> coefficients() const;  ///< ascending, degree() + 1 of them
 
@@ -73,9 +73,9 @@ struct Division {
 PHRAME_API Division divide(const Polynomial& a, const Polynomial& b);
 /// The remainder. Throws DomainError for b = 0.
 PHRAME_API Polynomial operator%(const Polynomial& a, const Polynomial& b);
-/// a % b, much faster where it is known to be far shorter than a: the quotient of a, without its
-/// denominator, by the primitive part of b is then integral (Gauss's lemma), and no power of a
-/// leading coefficient is needed to divide.
+/// a % b, much faster where that is known to be far shorter than a. The quotient of
+/// denominator(a)·a by the primitive part of b then has integer coefficients (Gauss's lemma), so
+/// that no power of a leading coefficient is needed to divide.
 PHRAME_API Polynomial short_remainder(const Polynomial& a, const Polynomial& b);
 /// a / b, where b divides a. Throws DomainError where it does not.
 PHRAME_API Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);
@@ -101,7 +101,7 @@ PHRAME_API ExtendedGcd extended_gcd(const Polynomial& a, const Polynomial& b);
 PHRAME_API Rational content(const Polynomial& p);
 PHRAME_API Polynomial primitive_part(const Polynomial& p);
 /// @}
-/// The greatest c ≥ 0 such that all of them have integer coefficients when divided by c; 0 where
+/// The greatest c ≥ 0 such that p/c has integer coefficients for all of the polynomials p; 0 where
 /// all are 0.
 PHRAME_API Rational common_content(const std::vector<Polynomial>& polynomials);
 
@@ -116,8 +116,8 @@ PHRAME_API Polynomial pow(const Polynomial& p, long k);
 PHRAME_API std::optional<Polynomial> square_root(const Polynomial& p);
 /// p/gcd(p, p′), primitive: the same roots, each once. Throws DomainError for 0.
 PHRAME_API Polynomial squarefree_part(const Polynomial& p);
-PHRAME_API bool is_squarefree(
-    const Polynomial& p);  ///< has it no multiple root? True for constants ≠ 0
+/// Has p no multiple root? True for constants ≠ 0.
+PHRAME_API bool is_squarefree(const Polynomial& p);
 
 /// "t^2 - 1/2*t + 3", for messages.
 PHRAME_API std::string to_string(const Polynomial& p);
@@ -130,7 +130,7 @@ PHRAME_API IntegerPolynomial integer_primitive_part(const Polynomial& p);  ///< 
 PHRAME_API IntegerPolynomial integer_numerator(const Polynomial& p);       ///< denominator(p)·p
 /// The bits of the greatest coefficient of primitive_part(p); 0 for 0.
 PHRAME_API long primitive_bits(const Polynomial& p);
-PHRAME_API Polynomial to_polynomial(const fmpz_poly_t p);  ///< the same over ℚ
+PHRAME_API Polynomial to_polynomial(const fmpz_poly_t p);  ///< p as a polynomial over ℚ
 
 /// The sign of p(t) for small t > 0: that of its lowest coefficient, 0 for p = 0.
 PHRAME_API int sign_after_zero(const Polynomial& p);

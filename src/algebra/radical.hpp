@@ -27,15 +27,15 @@ class PHRAME_API Radical {
   };
   /// constant + Σ factor · step, by ascending steps.
   struct Sum {
-    Rational constant;        ///< what is rational of it
-    std::vector<Term> terms;  ///< of other steps each
+    Rational constant;        ///< the rational part
+    std::vector<Term> terms;  ///< each with another step
     friend bool operator==(const Sum&, const Sum&) = default;
   };
-  /// A number made from those of the steps before it.
+  /// One step: a number made from the numbers of earlier steps.
   struct Step {
-    Kind kind = Kind::imaginary_unit;  ///< what is made of left, or of both
-    Sum left = {};                     ///< of a product, a quotient, a root
-    Sum right = {};                    ///< of a product, a quotient
+    Kind kind = Kind::imaginary_unit;  ///< what is done with left and right
+    Sum left = {};                     ///< the first factor, the dividend or the radicand
+    Sum right = {};                    ///< the second factor or the divisor
     friend bool operator==(const Step&, const Step&) = default;
   };
 
@@ -45,19 +45,19 @@ class PHRAME_API Radical {
   /// @}
   static Radical imaginary_unit();  ///< i
 
-  /// In the order in which they are computed.
+  /// The steps in the order in which they are computed.
   const std::vector<Step>& steps() const { return steps_; }
   const Sum& value() const { return value_; }  ///< the number, a sum of steps
-  /// The number, where no step is needed to write it.
+  /// The number, where it is written without any step.
   std::optional<Rational> rational() const;
 
-  friend PHRAME_API Radical operator+(const Radical& a,
-                                      const Radical& b);  ///< like terms collected
-  friend PHRAME_API Radical operator*(const Radical& a,
-                                      const Radical& b);  ///< i² = −1 and √x·√x = x are used
+  /// The sum, like terms collected.
+  friend PHRAME_API Radical operator+(const Radical& a, const Radical& b);
+  /// The product, simplified by i² = −1 and √x·√x = x.
+  friend PHRAME_API Radical operator*(const Radical& a, const Radical& b);
   /// Throws DomainError for b = 0, if it is written as 0.
   friend PHRAME_API Radical operator/(const Radical& a, const Radical& b);
-  /// @{ As written by + and ·.
+  /// @{ As −1·a and a + −b.
   friend Radical operator-(const Radical& a) { return a * Rational(-1); }
   friend Radical operator-(const Radical& a, const Radical& b) { return a + -b; }
   /// @}
@@ -82,9 +82,8 @@ class PHRAME_API Radical {
 PHRAME_API Radical evaluate(const Polynomial& p, const Radical& x);
 
 /// A ball around x with a radius ≤ 2^−bits · max(1, |x|) in both parts. Throws Undecided where
-/// 64·bits + 65536 bits of precision do not reach that: where a number is divided by which is 0
-/// without being written so, or where a number that is not seen to be real lies on the cut of √ or
-/// ∛, the negative axis.
+/// 64·bits + 65536 bits of precision are not enough: where a divisor is 0 without being written so,
+/// or where a radicand that is not seen to be real lies on the cut of √ and ∛, the negative axis.
 PHRAME_API ComplexBall enclose(const Radical& x, long bits);
 
 }  // namespace phrame

@@ -14,7 +14,7 @@ namespace phrame::inline v0 {
 class PHRAME_API Rational {
  public:
   Rational() = default;  ///< 0
-  /// An integer, of any type.
+  /// An integer of any machine type.
   template <MachineInteger T>
   Rational(T x) : Rational(Integer(x)) {}  // NOLINT(google-explicit-constructor)
   /// An integer.
@@ -28,10 +28,10 @@ class PHRAME_API Rational {
   /// −1, 0 or 1.
   int sign() const { return fmpq_sgn(raw()); }
   std::string str() const;  ///< "3/7", "-2"
-  /// The nearest double, ±∞ beyond them; one of the two next to it where it is subnormal.
+  /// The nearest double, ±∞ beyond them; where that is subnormal, perhaps the one next to it.
   explicit operator double() const;
 
-  /// @{ Exact.
+  /// @{ Exact arithmetic.
   Rational& operator+=(const Rational& x) { return fmpq_add(raw(), raw(), x.raw()), *this; }
   Rational& operator-=(const Rational& x) { return fmpq_sub(raw(), raw(), x.raw()), *this; }
   Rational& operator*=(const Rational& x) { return fmpq_mul(raw(), raw(), x.raw()), *this; }
@@ -39,7 +39,7 @@ class PHRAME_API Rational {
   /// Throws DomainError for x = 0.
   Rational& operator/=(const Rational& x);
 
-  /// @{ Exact; a quotient by 0 throws DomainError.
+  /// @{ Exact arithmetic; a quotient by 0 throws DomainError.
   friend Rational operator+(Rational a, const Rational& b) { return std::move(a += b); }
   friend Rational operator-(Rational a, const Rational& b) { return std::move(a -= b); }
   friend Rational operator*(Rational a, const Rational& b) { return std::move(a *= b); }
@@ -62,17 +62,18 @@ class PHRAME_API Rational {
   flint::Fmpq handle_;
 };
 
-/// "3/7", "-2".
+/// Writes "3/7", "-2".
 PHRAME_API std::ostream& operator<<(std::ostream& out, const Rational& x);
 
-/// In lowest terms, with the sign.
+/// The numerator in lowest terms, which has the sign of x.
 inline Integer numerator(const Rational& x) { return Integer(fmpq_numref(x.raw())); }
-/// In lowest terms, > 0.
+/// The denominator in lowest terms, > 0.
 inline Integer denominator(const Rational& x) { return Integer(fmpq_denref(x.raw())); }
 inline Rational abs(Rational x) { return fmpq_abs(x.raw(), x.raw()), x; }  ///< |x|
 /// The greatest integer ≤ x.
 PHRAME_API Integer floor(const Rational& x);
-/// The fraction with the least denominator in [a, b], a ≤ b, and of these the one next to 0.
+/// The fraction in [a, b], a ≤ b, that has the least denominator, and of several the one nearest to
+/// 0.
 PHRAME_API Rational simplest_between(const Rational& a, const Rational& b);
 
 /// The longest number text that parse_rational accepts, in characters.
@@ -81,7 +82,7 @@ inline constexpr std::size_t max_number_length = 100'000;
 inline constexpr long max_number_exponent = 100'000;
 
 /// The exact value of "3/7", "-2", "0.9515", "1e-3", ".5" or the hexadecimal "0x1.8p-3".
-/// Throws InputError (no place, the reason quotes the text) on anything else: "1/0", "nan", "".
+/// Throws InputError, without a place, for anything else, and quotes it: "1/0", "nan", "".
 PHRAME_API Rational parse_rational(std::string_view text);
 
 /// The exact dyadic value of a double. Throws DomainError for NaN and infinities.
@@ -90,8 +91,7 @@ PHRAME_API Rational exact_rational(double x);
 /// "3/7", "-2".
 PHRAME_API std::string to_string(const Rational& x);
 
-/// `text` as a one-line message can carry it: cut to `limit` bytes, control characters shown as
-/// '?'.
+/// `text` for a message of one line: cut to `limit` bytes, with '?' for control characters.
 PHRAME_API std::string abbreviated(std::string_view text, std::size_t limit = 40);
 
 /// √x ≥ 0 where it is rational; no value where it is not, or x < 0.

@@ -49,16 +49,16 @@ PHRAME_API RationalFunction compose(const RationalFunction& f, const Polynomial&
 PHRAME_API RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
 /// @}
 
-/// c where f = c.
+/// The constant c where f = c; no value otherwise.
 PHRAME_API std::optional<Rational> constant(const RationalFunction& f);
 
-/// The bits of the greatest coefficients of numerator and denominator.
+/// The bits of the greatest coefficient of the numerator and of the denominator, added.
 PHRAME_API long bits_of(const RationalFunction& f);
 
-/// "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or as a polynomial where it is one.
+/// Writes "(t^2 - 1)/(t + 3)", "-2/(t + 3)", or a polynomial where it is one.
 PHRAME_API std::ostream& operator<<(std::ostream& out, const RationalFunction& f);
 
-/// How large the values of a computation may become whose steps somebody else chooses.
+/// How large numbers may become in a computation whose input comes from others.
 struct SizeLimits {
   long max_degree = 1000;    ///< of numerators and denominators
   long max_bits = 1L << 19;  ///< of the integers in them; 10^100000 has 332193

@@ -19,10 +19,12 @@ class PHRAME_API RealAlgebraic {
   /// A rational number.
   RealAlgebraic(const Rational& r = 0);  // NOLINT(google-explicit-constructor)
 
-  /// Irreducible over ℚ, with coprime integer coefficients and a positive leading one.
+  /// Its minimal polynomial, with coprime integer coefficients and a positive leading one.
   const Polynomial& polynomial() const { return polynomial_; }
-  const Interval& interval() const { return interval_; }  ///< which holds no other root of it
-  /// Is it rational? The degree of its polynomial says so.
+  const Interval& interval() const {
+    return interval_;
+  }  ///< it contains no other root of polynomial()
+  /// Is it rational?
   bool is_rational() const { return polynomial_.degree() == 1; }
   /// The number, where it is rational.
   std::optional<Rational> rational() const;
@@ -43,7 +45,7 @@ class PHRAME_API RealAlgebraic {
 /// there are none or several, saying how many, and for p = 0. Cost: the factorization of p.
 PHRAME_API RealAlgebraic real_root(const Polynomial& p, const Interval& interval);
 
-/// @{ Which is the greater one, decided exactly.
+/// @{ Order and equality, decided exactly.
 PHRAME_API std::strong_ordering compare(const RealAlgebraic& a, const Rational& r);
 PHRAME_API std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b);
 inline bool operator==(const RealAlgebraic& a, const RealAlgebraic& b) {
@@ -66,7 +68,7 @@ struct RealRoot {
 PHRAME_API std::vector<RealRoot> real_roots(const Polynomial& p, const Interval& interval);
 
 /// The value of t, a root of p ≠ 0 in [a, b], where it is rational; no value where it is not. No
-/// polynomial is factored: t is asked for about as many bits as the leading coefficient has.
+/// polynomial is factored: t is enclosed to about as many bits as the leading coefficient has.
 /// Precondition: p has no other root in [a, b].
 PHRAME_API std::optional<Rational> rational_root(const Polynomial& p, const Rational& a,
                                                  const Rational& b, const Real& t);
@@ -77,17 +79,18 @@ PHRAME_API int sign_at(const Polynomial& q, const RealAlgebraic& a);
 /// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
 PHRAME_API RealBall enclose(const RealAlgebraic& a, long bits);
 
-/// "t = 1/2", "t ≈ 0.584803547642", long fractions abbreviated: where something is, for messages.
+/// Where something is, for messages: "t = 1/2" or "t ≈ 0.584803547642"; long fractions are
+/// abbreviated.
 PHRAME_API std::string place_text(std::string_view letter, const RealAlgebraic& a);
 
-/// The bits of what it is made from: of its polynomial, times the degree.
+/// The bits of the greatest coefficient of its polynomial, times the degree.
 PHRAME_API long bits_of(const RealAlgebraic& a);
 
-/// For correct rounding, which always ends: an irrational number is never half way between two
-/// numbers with finitely many digits.
+/// The number as a Real, of which rounding always ends: an irrational number is never half way
+/// between two numbers with finitely many digits.
 PHRAME_API Real to_real(const RealAlgebraic& a);
 
-/// "1/2", "root of t^2 - 2 in (1, 2)".
+/// Writes "1/2", "root of t^2 - 2 in (1, 2)".
 PHRAME_API std::ostream& operator<<(std::ostream& out, const RealAlgebraic& a);
 
 }  // namespace phrame

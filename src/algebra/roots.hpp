@@ -16,8 +16,8 @@ struct Roots {
 /// Throws DomainError where p is constant or not squarefree.
 PHRAME_API Roots isolate_roots(const Polynomial& p, long bits);
 
-/// Do doubles not tell of a single root of p ≠ 0 where it is, as where all lie in large clusters?
-/// To isolate them takes far longer, then. A hint, for a hundredth of the time of isolate_roots.
+/// Are doubles too coarse to place any root of p ≠ 0, as when all roots lie in large clusters? Then
+/// isolate_roots() takes far longer. This is a guess, in a hundredth of its time.
 PHRAME_API bool has_no_clear_root(const Polynomial& p);
 
 /// Narrows the enclosure of one real root of p to a relative accuracy of about `bits` bits, by

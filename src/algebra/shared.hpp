@@ -4,8 +4,8 @@
 
 namespace phrame::inline v0 {
 
-/// What is known to some number of bits, and to more when more are asked for: kept for all copies,
-/// whichever thread asks. To move one is to copy it.
+/// A value that is known to some number of bits, and is refined when more are asked for. All copies
+/// share it, in all threads. Moving one copies it.
 template <class T>
 class Refined {
  public:
@@ -14,8 +14,8 @@ class Refined {
   Refined& operator=(const Refined&) = default;
   ~Refined() = default;
 
-  /// What is known to at least so many bits. Is less known, then refine(known) → T is called first,
-  /// where `known` points to that, or is null; where it throws, nothing changes.
+  /// The value to at least that many bits. Where it is known to fewer, refine(known) → T is called,
+  /// with a pointer to what is known, or null; if it throws, nothing changes.
   template <class Refine>
   std::shared_ptr<const T> get(long bits, const Refine& refine) const {
     const std::lock_guard lock(state_->mutex);
@@ -27,7 +27,7 @@ class Refined {
     return state_->known;
   }
 
-  /// What is known, null before anything was asked for.
+  /// What is known so far; null before the first get().
   std::shared_ptr<const T> known() const {
     const std::lock_guard lock(state_->mutex);
     return state_->known;
@@ -42,12 +42,12 @@ class Refined {
   std::shared_ptr<State> state_ = std::make_shared<State>();
 };
 
-/// A value that is made when it is first asked for: once for all copies, whichever thread asks. To
-/// move one is to copy it.
+/// A value that is made when it is first asked for, once for all copies in all threads. Moving
+/// copies.
 template <class T>
 class Lazy {
  public:
-  /// make() → T is called if there is no value yet; where it throws, there is none after it either.
+  /// The value. If there is none yet, make() → T is called; if that throws, there is still none.
   template <class Make>
   const T& get(const Make& make) const {
     return *value_.get(0, [&](const T*) { return make(); });

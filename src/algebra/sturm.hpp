@@ -18,9 +18,8 @@ struct Interval {
 };
 
 inline Interval real_line() { return {}; }  ///< (−∞, ∞)
-inline Interval closed_interval(Rational a, Rational b) {
-  return {std::move(a), std::move(b)};
-}  ///< [a, b]
+/// [a, b].
+inline Interval closed_interval(Rational a, Rational b) { return {std::move(a), std::move(b)}; }
 /// (a, b).
 inline Interval open_interval(Rational a, Rational b) {
   return {std::move(a), std::move(b), false, false};
@@ -31,22 +30,22 @@ PHRAME_API std::string to_string(const Interval& interval);
 /// Writes to_string(interval).
 PHRAME_API std::ostream& operator<<(std::ostream& out, const Interval& interval);
 
-/// How many distinct real roots p has in the interval: Descartes' rule of signs on smaller and
-/// smaller parts until it decides (0 or 1 changes), and Sturm's theorem for roots close together.
-/// An interval with lower > upper is empty. Throws DomainError for p = 0.
+/// The number of distinct real roots of p in the interval, by Descartes' rule of signs on ever
+/// smaller parts until each has 0 or 1 sign changes, and by Sturm's theorem where roots are close
+/// together. An interval with lower > upper is empty. Throws DomainError for p = 0.
 PHRAME_API long count_real_roots(const Polynomial& p, const Interval& interval);
 
 /// Disjoint intervals in ascending order, one for each distinct real root of p in the given one.
-/// Each is either a single rational point (the root itself) or open, with a sign change of the
-/// squarefree part and no root at its ends. Throws DomainError for p = 0.
+/// Each is either a single rational point, the root itself, or open, with no root at its ends and a
+/// change of sign of the squarefree part between them. Throws DomainError for p = 0.
 PHRAME_API std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval);
 
 /// The same isolating interval of p, with finite ends, bisected until it is no wider than
 /// `width` > 0.
 PHRAME_API Interval narrowed(const Polynomial& p, Interval isolating, const Rational& width);
 
-/// isolate_real_roots for people to read: rational roots as points, the others in intervals no
-/// wider than 2⁻²⁰. Cost: a factorization where there is a root.
+/// As isolate_real_roots(), for people to read: rational roots as points, the others in intervals
+/// no wider than 2⁻²⁰. Cost: a factorization where there is a root.
 PHRAME_API std::vector<Interval> located_real_roots(const Polynomial& p, const Interval& interval);
 
 /// The Sturm sequence of (p, q): p, q and the negated remainders, each up to a positive factor;
@@ -71,9 +70,9 @@ PHRAME_API long cauchy_index(const SturmChain& chain, const Rational& a, const R
 
 /// How γ = x + iy turns between 0 and t, by the signs of the Sturm sequence of (x, y) at both ends.
 struct TurnCount {
-  long index;           ///< sign changes at 0 minus those at t: the Cauchy index of y/x
-  std::string at_zero;  ///< "+-0…", one for each polynomial of the sequence
-  std::string at_t;     ///< the same at t
+  long index;           ///< the Cauchy index of y/x: sign changes at 0 minus sign changes at t
+  std::string at_zero;  ///< the signs at 0, such as "+-0", one for each polynomial
+  std::string at_t;     ///< the signs at t
   friend bool operator==(const TurnCount&, const TurnCount&) = default;
 };
 

@@ -11,31 +11,32 @@ struct RootProduct {
   Integer factor;    ///< ≥ 1
   Integer radicand;  ///< ≥ 1
 };
-/// By the gcd of d and e alone: the radicand may have square factors. Throws DomainError for d or e
-/// < 1.
+/// The product, found by the gcd of d and e alone, so that the radicand may have square factors.
+/// Throws DomainError for d or e < 1.
 PHRAME_API RootProduct multiply_roots(const Integer& d, const Integer& e);
 
-/// ℚ(√d, √e, …) for integers d, e, … ≥ 1, by the integers whose roots are in it, up to squares.
+/// A field ℚ(√d, √e, …) with integers d, e, … ≥ 1, given by the integers, up to squares, whose
+/// roots are in it.
 class PHRAME_API RootField {
  public:
   /// Is √d in it?
   bool contains(const Integer& d) const;
   /// Makes it contain √d.
   void adjoin(const Integer& d);
-  /// As many as its degree, 1 first; the k-th root that was new is at 2ᵏ⁻¹.
+  /// Integers whose roots are a basis of it over ℚ, 1 first; the k-th that was adjoined is at 2ᵏ⁻¹.
   const std::vector<Integer>& radicands() const { return radicands_; }
 
  private:
   std::vector<Integer> radicands_{1};
 };
 
-/// For each root that was new in its turn the field of the others: the automorphisms that fix these
-/// fields generate all.
+/// For each root that was adjoined the field of the others. The automorphisms that fix one of these
+/// fields generate all automorphisms.
 PHRAME_API std::vector<RootField> fields_without_a_root(const RootField& field);
 
 /// Σ c·√d with c ≠ 0 in ℚ or ℚ[t] and integers d ≥ 1, no two of which have a product that is a
-/// square. Such roots are linearly independent over ℚ [Besicovitch 1940]: only 0 has no term. So
-/// all is decided exactly, and no integer has to be factored for it.
+/// square. Such roots are linearly independent over ℚ [Besicovitch 1940], so that only 0 has no
+/// term: equality is decided exactly, and no integer has to be factored for it.
 template <class C>
 class SurdSum {
  public:
@@ -47,7 +48,7 @@ class SurdSum {
     add(b, d);
   }
 
-  /// c by ascending d.
+  /// The coefficients c by d.
   const std::map<Integer, C>& terms() const { return terms_; }
   /// The coefficient of √1.
   C rational_part() const { return terms_.contains(1) ? terms_.at(1) : C{}; }
@@ -84,7 +85,7 @@ using Surd = SurdSum<Rational>;
 /// A polynomial whose coefficients are such numbers.
 using SurdPolynomial = SurdSum<Polynomial>;
 
-/// Exact.
+/// The exact product.
 template <class A, class B>
 auto operator*(const SurdSum<A>& x, const SurdSum<B>& y) {
   SurdSum<decltype(A() * B())> product;
@@ -109,8 +110,8 @@ RootField field_of(const SurdSum<C>& x) {
   return field;
 }
 
-/// c·√d becomes −c·√d where √d is not in `fixed`: an automorphism of a field that is, or is of
-/// degree 2 over, `fixed`.
+/// x with −c·√d for each c·√d where √d is not in `fixed`: its image by an automorphism, if the
+/// field of x has degree 1 or 2 over `fixed`.
 template <class C>
 SurdSum<C> conjugate(const SurdSum<C>& x, const RootField& fixed) {
   SurdSum<C> result;
@@ -118,8 +119,8 @@ SurdSum<C> conjugate(const SurdSum<C>& x, const RootField& fixed) {
   return result;
 }
 
-/// A field over which field_of(x) has degree 2: ℚ where that is quadratic. Precondition: x is not
-/// rational.
+/// A subfield over which field_of(x) has degree 2, such as ℚ for a quadratic field. Precondition: x
+/// is not rational.
 template <class C>
 RootField half_field(const SurdSum<C>& x) {
   const Integer& outside = x.terms().rbegin()->first;
@@ -142,21 +143,21 @@ PHRAME_API Surd evaluate(const Polynomial& p, const Surd& x);
 /// a + b·√d, d an integer that is no square, with √d = i·√|d| for d < 0; b = 0 and d = 1 for a
 /// rational number.
 struct QuadraticNumber {
-  Rational a;     ///< what is rational
+  Rational a;     ///< the rational part
   Rational b;     ///< the factor of the root
   Integer d = 1;  ///< the radicand
   friend bool operator==(const QuadraticNumber&, const QuadraticNumber&) = default;
 };
 
-/// A root of p of degree 1 or 2, the one with b ≥ 0; p irreducible over ℚ. Throws DomainError for
-/// other degrees.
+/// The root with b ≥ 0 of p, which is irreducible over ℚ and of degree 1 or 2. Throws DomainError
+/// for other degrees.
 PHRAME_API QuadraticNumber quadratic_root(const Polynomial& p);
 
-/// x = root²·rest for an integer x ≥ 1; rest is 1 where x is a square, and has no square factor p²
-/// with p ≤ 10⁴. (To find all square factors is as hard as to factor x.)
+/// x = root²·rest for an integer x ≥ 1. The rest is 1 where x is a square, and has no factor p²
+/// with p ≤ 10⁴. (Finding all square factors is as hard as factoring x.)
 struct SquareFactor {
-  Integer root;  ///< what is taken out of the root, ≥ 1
-  Integer rest;  ///< what stays under it, ≥ 1
+  Integer root;  ///< ≥ 1
+  Integer rest;  ///< ≥ 1
 };
 /// Throws DomainError for x < 1. Cost: divisions by the numbers up to 10⁴.
 PHRAME_API SquareFactor split_square(const Integer& x);

@@ -5,17 +5,17 @@
 
 namespace phrame::inline v0 {
 
-/// Thrown in a computation whose time is over, or when all are stopped. No Error, so that nobody
-/// takes it for an answer and tries another way.
+/// Thrown in a computation whose time is over, or by stop_all(). It is not derived from Error, so
+/// that nothing takes it for an answer and tries another way.
 class PHRAME_API Stopped : public std::exception {
  public:
   const char* what() const noexcept override;
 };
 
-/// As long as it lives, what this thread computes may take so many seconds, > 0; then Stopped is
-/// thrown, again and again. It is thrown where FLINT and Arb ask for memory, if
-/// throw_when_out_of_memory() was called, with the same loss as there, and by require_time(). One
-/// of these a thread.
+/// Limits what this thread computes while the object lives to so many seconds, > 0. After that
+/// Stopped is thrown, again and again: by require_time(), and, if throw_when_out_of_memory() was
+/// called, where FLINT and Arb ask for memory, with the same loss as there. A thread has at most
+/// one of these.
 class PHRAME_API TimeLimit {
  public:
   explicit TimeLimit(double seconds);
@@ -24,7 +24,7 @@ class PHRAME_API TimeLimit {
   TimeLimit& operator=(const TimeLimit&) = delete;
 };
 
-/// Stops what all threads compute, for good; a handler of signals may call it.
+/// Makes all threads throw Stopped from now on. A signal handler may call it.
 PHRAME_API void stop_all() noexcept;
 
 /// Throws Stopped where the time is over, unless an exception is on its way. Costs a nanosecond.

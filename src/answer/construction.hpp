@@ -20,30 +20,30 @@ enum class Continuity {
   c2   ///< the second derivative as well
 };
 
-/// The kinds there are, in their order, as people call them.
+/// A kind of curve with its name and what is known of it.
 struct NamedKind {
   CurveKind kind;         ///< which one
   std::string_view name;  ///< "quintic"
   std::string_view what;  ///< "C1 splines of PH quintics"
   Continuity continuity;  ///< of its splines
-  long solutions = 1;     ///< how many curves there are at most, of which one is asked for
-  /// What every curve of this kind is, exactly, beside being PH. It has been checked for the curve
-  /// that is answered. May be empty.
+  long solutions = 1;     ///< the greatest number of curves that one query may choose from
+  /// What holds exactly for every curve of this kind beside its being PH; empty if nothing does. It
+  /// is checked for the curve in an answer.
   std::string_view law = {};
   bool is_open = false;  ///< its splines cannot be closed
-  /// Are derivatives given at the ends of open curves only? Those between then follow from the
-  /// points.
+  /// Does it take derivatives at the ends of open curves only, those between following from the
+  /// points?
   bool is_through_points = false;
 };
-PHRAME_API const std::vector<NamedKind>& curve_kinds();  ///< all kinds
+PHRAME_API const std::vector<NamedKind>& curve_kinds();  ///< all kinds, in the order of CurveKind
 
 /// Asks for an exact PH curve near given points and derivatives.
 struct ConstructQuery {
   CurveKind kind = CurveKind::quintic;                 ///< what the curve is made of
   QuinticChoice choice = QuinticSelection::automatic;  ///< of the kind quintic
   long solution = 1;  ///< which of several solutions: 1 is the best one
-  /// The tolerance, between 0 and 1: of the distance from the points as a share of their extent,
-  /// and of the derivatives as a share of the greatest of them.
+  /// The tolerance, between 0 and 1: distances from the points are measured in the extent of the
+  /// points, deviations of derivatives in the greatest derivative.
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
   PointRule points = PointRule::near;  ///< how are the points met?
   bool is_closed = false;              ///< does the curve end where it starts?
@@ -58,30 +58,30 @@ struct ConstructionAnswer {
     std::optional<RealBall> energy;    ///< around ∫κ² ds; no value where it is infinite
   };
   NamedPhPath path;  ///< the curve
-  /// @{ As asked.
+  /// @{ As asked for.
   NamedKind kind;
   QuinticChoice choice;
   long solution;
   PointRule points;
   /// @}
-  HermiteSpline data;                ///< what was wanted
+  HermiteSpline data;                ///< what the curve should have
   std::vector<Rational> parameters;  ///< of the joints and the ends
-  /// @{ Where derivatives and parameters come from that were not given.
+  /// @{ Where derivatives and parameters come from.
   DerivativeSource derivatives_from;
   ParameterSource parameters_from;
   /// @}
   Deviation tolerance;  ///< what was asked for, as distances
   Deviation deviation;  ///< proved bounds
   long bits;            ///< of the preimages' common denominator, a power of 2
-  /// What is said of poses.
+  /// What is found about poses.
   struct Poses {
-    /// As Orientation::off, the greatest of them.
+    /// The greatest Orientation::off.
     Rational off;
-    /// The tangent axis by which the tangents are nearest to the chords at their points, where that
-    /// is another one, by far: it may have been meant.
+    /// The tangent axis whose directions are nearest to the chords at the points, where it is not
+    /// the one given and much nearer: perhaps it was meant.
     std::optional<TangentAxis> better;
-    double angle;         ///< the mean of the tangents to the chords, in radians
-    double better_angle;  ///< by the other axis
+    double angle;         ///< the mean angle between tangents and chords, in radians
+    double better_angle;  ///< the same by the other axis
   };
   std::optional<Poses> poses;     ///< where they were given
   std::vector<Segment> segments;  ///< one after the other

@@ -213,7 +213,8 @@ void run(const Command& command, const SweepOptions& options) {
   SweepQuery query = query_of(options, named.path.segments().size());
   query.up = up;
   if (named.frame && !options.start.given() && !options.end_normal) query.through = named.frame;
-  const SweepAnswer made = answer(named, query);
+  SweepAnswer made = answer(named, query);
+  made.body.mesh.remark = sweep_remark(query);
   write_output(options.curve.output, format(made.body.mesh));
   tell(made, options.curve.output, options.format == "glb");
 }

@@ -11,6 +11,7 @@
 #include "phrame/algebra/nearest_float.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/write/bytes.hpp"
+#include "phrame/io/write/frame_start.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -34,12 +35,19 @@ Vector<float> normal_of(const std::array<Vector<float>, 3>& triangle) {
   return floats_of(1 / size * n);
 }
 
-/// `before`, the origin, `after`; nothing where that is 0.
-std::string origin_comment(const Mesh& mesh, const char* before, const char* after) {
+/// "origin 1 0 0", or nothing where that is 0.
+std::string origin_text(const Mesh& mesh) {
   const auto& [x, y, z] = mesh.origin;
   if (mesh.origin == Vector<Rational>{}) return "";
-  return fmt::format("{}origin {} {} {}{}", before, to_string(x), to_string(y), to_string(z),
-                     after);
+  return fmt::format("origin {} {} {}", to_string(x), to_string(y), to_string(z));
+}
+
+/// Lines that begin with `mark`: the remark and the origin, where there are any.
+std::string comments(const Mesh& mesh, const char* mark) {
+  std::string lines;
+  for (const std::string& text : {mesh.remark, origin_text(mesh)})
+    if (!text.empty()) lines += fmt::format("{} {}\n", mark, text);
+  return lines;
 }
 
 /// The least or the greatest coordinates, as JSON.
@@ -57,7 +65,7 @@ std::string extreme_of(const Mesh& mesh, Choose choose) {
 }  // namespace
 
 std::string to_obj(const Mesh& mesh) {
-  std::string text = origin_comment(mesh, "# ", "\n");
+  std::string text = comments(mesh, "#");
   const auto out = std::back_inserter(text);
   for (const auto& [x, y, z] : mesh.points) fmt::format_to(out, "v {} {} {}\n", x, y, z);
   for (const auto& [i, j, k] : mesh.triangles)
@@ -70,7 +78,7 @@ std::string to_ply(const Mesh& mesh) {
       "ply\nformat binary_little_endian 1.0\n{}element vertex {}\n"
       "property double x\nproperty double y\nproperty double z\n"
       "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-      origin_comment(mesh, "comment ", "\n"), mesh.points.size(), mesh.triangles.size());
+      comments(mesh, "comment"), mesh.points.size(), mesh.triangles.size());
   for (const auto& point : mesh.points)
     for (const double x : point) append_number(bytes, std::bit_cast<std::uint64_t>(x));
   for (const auto& triangle : mesh.triangles) {
@@ -81,7 +89,8 @@ std::string to_ply(const Mesh& mesh) {
 }
 
 std::string to_stl(const Mesh& mesh) {
-  std::string bytes = "phrame" + origin_comment(mesh, "; ", "");
+  std::string bytes = "phrame";
+  if (const std::string origin = origin_text(mesh); !origin.empty()) bytes += "; " + origin;
   if (bytes.size() > 80) bytes = "phrame; origin not 0";
   bytes.resize(80, ' ');
   append_number(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -106,7 +115,7 @@ std::string to_glb(const Mesh& mesh) {
   const auto least = [](float a, float b) { return std::min(a, b); };
   const auto greatest = [](float a, float b) { return std::max(a, b); };
   const std::string json = fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"phrame"}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
+      R"({{"asset":{{"version":"2.0","generator":"phrame"{8}}},"scene":0,"scenes":[{{"nodes":[0]}}],)"
       R"("nodes":[{{"mesh":0{7}}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},)"
       R"("indices":1}}]}}],"buffers":[{{"byteLength":{0}}}],"bufferViews":[)"
       R"({{"buffer":0,"byteLength":{1},"target":34962}},)"
@@ -116,8 +125,14 @@ std::string to_glb(const Mesh& mesh) {
       data.size(), of_points, data.size() - of_points, mesh.points.size(), extreme_of(mesh, least),
       extreme_of(mesh, greatest), 3 * mesh.triangles.size(),
       translation_json({round_to_double(mesh.origin[0]), round_to_double(mesh.origin[1]),
-                        round_to_double(mesh.origin[2])}));
+                        round_to_double(mesh.origin[2])}),
+      mesh.remark.empty() ? "" : fmt::format(R"(,"extras":{{"frame":"{}"}})", mesh.remark));
   return glb_file(json, data);
+}
+
+std::string sweep_remark(const SweepQuery& query) {
+  return query.through ? "the frame has the orientations that come with the path"
+                       : start_comment(query.start, query.up);
 }
 
 }  // namespace phrame

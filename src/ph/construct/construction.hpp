@@ -4,16 +4,16 @@
 
 namespace phrame::inline v0 {
 
-/// How far a curve may be from its data, and how far it is. Of kinds that take the directions of
-/// derivatives only, their deviation is an angle.
+/// How far a curve is from its data, or may be. Where a kind of curve takes only the directions of
+/// the derivatives, their deviation is an angle in radians.
 struct Deviation {
   Rational points;             ///< the greatest distance from a point
-  Rational derivatives;        ///< of a derivative from the one wanted
-  Rational accelerations = 0;  ///< of a second derivative, where they are wanted
+  Rational derivatives;        ///< the greatest distance of a derivative from the one wanted
+  Rational accelerations = 0;  ///< that of a second derivative, where these are given
   friend bool operator==(const Deviation&, const Deviation&) = default;
 };
 
-/// Is none greater than the tolerance?
+/// Are all three at most those of the tolerance?
 inline bool is_within(const Deviation& deviation, const Deviation& tolerance) {
   return deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives &&
          deviation.accelerations <= tolerance.accelerations;
@@ -22,17 +22,18 @@ inline bool is_within(const Deviation& deviation, const Deviation& tolerance) {
 /// How the points are met.
 enum class PointRule {
   near,  ///< within the tolerance
-  exact  ///< by equal fractions; between two points there are then several segments
+  exact  ///< exactly; there are then several segments between two points
 };
 
 /// An exact curve near its data.
 struct Construction {
   PhPath path;                       ///< the curve, or the spline
-  std::vector<Rational> parameters;  ///< of the joints and the ends, those of the data
-  std::vector<FreeAngles> angles;    ///< chosen for each segment of quintics; else none
-  /// The coefficients of A are multiples of 2^−bits; but not those of what closes a spline. Of
-  /// cubics they are products of two such, of septics with h = 0 those between the joints are
-  /// products of several, over 3, and of degree 9 a quarter of the step of the parameter comes in.
+  std::vector<Rational> parameters;  ///< the parameters of the data at the ends and the joints
+  std::vector<FreeAngles> angles;    ///< of quintics, those of each segment; else empty
+  /// The coefficients of A are multiples of 2^−bits, but for the segments that close a spline, and
+  /// but for three kinds: those of cubics are products of two such numbers; those of septics with
+  /// h = 0, between the joints, are products of several, over 3; those of degree 9 also have a
+  /// quarter of the step of the parameter as a factor.
   long bits;
   Deviation deviation;  ///< proved: not less than the greatest distances from the data
 };

@@ -6,33 +6,32 @@
 
 namespace phrame::inline v0 {
 
-/// How a body lies at points, beside where it is.
+/// How a body is oriented at each of the points that it passes.
 struct GivenPoses {
   std::vector<Orientation> bodies;  ///< one for each point
-  TangentAxis tangent = {};         ///< of the bodies
-  /// So many revolutions about the tangent more than the fewest, to each point from the one before,
-  /// at last, of a closed curve, to the first; empty for none.
+  TangentAxis tangent = {};         ///< the axis of the body that is the tangent of the curve
+  /// For each step from one point to the next, and of a closed curve from the last to the first:
+  /// how many revolutions about the tangent are made in addition to the least turn. Empty for none.
   std::vector<long> turns = {};
-  bool is_smooth = false;  ///< FrameThrough::is_smooth
+  bool is_smooth = false;  ///< as FrameThrough::is_smooth
   friend bool operator==(const GivenPoses&, const GivenPoses&) = default;
 };
 
-/// Points that a curve is to pass, with what else is known of it there. A list is empty or has as
-/// many entries as there are points; parameters may have one more, of the end of a closed curve.
+/// Points that a curve is to pass, with what else is given there. Each list is empty or has one
+/// entry for each point; `parameters` may have one more, for the end of a closed curve.
 struct GivenPoints {
-  std::string name;                           ///< may be empty
-  std::vector<Vector<Rational>> points;       ///< two at least; of points of a plane, z = 0
-  std::vector<Vector<Rational>> derivatives;  ///< with respect to the parameter
-  std::vector<Vector<Rational>> tangents;     ///< not 0, of any length; only their directions count
+  std::string name;                             ///< may be empty
+  std::vector<Vector<Rational>> points;         ///< at least two; z = 0 for points of a plane
+  std::vector<Vector<Rational>> derivatives;    ///< with respect to the parameter
+  std::vector<Vector<Rational>> tangents;       ///< only their directions count; not 0
   std::vector<Vector<Rational>> accelerations;  ///< second derivatives
   std::vector<Rational> parameters;             ///< increasing
   bool is_planar = false;                       ///< two coordinates were given
-  std::optional<GivenPoses> poses = {};         ///< their tangents are those of the curve
-  /// @{ Of a table: the column of the parameters, where it is not called t, and what was skipped.
-  std::string parameter_column = {};
-  std::vector<std::string> skipped_columns = {};
-  std::vector<std::string> notes = {};  ///< what else was assumed, in sentences without a point
-  /// @}
+  std::optional<GivenPoses> poses = {};         ///< the curve has their tangents
+  std::string parameter_column = {};  ///< of a table: the column of the parameters, if it is not t
+  std::vector<std::string> skipped_columns = {};  ///< of a table: the columns that were not used
+  std::vector<std::string> notes =
+      {};  ///< what else was assumed, one sentence each, without a stop
   friend bool operator==(const GivenPoints&, const GivenPoints&) = default;
 };
 

@@ -4,9 +4,9 @@
 
 namespace phrame::inline v0 {
 
-/// Points, derivatives and increasing parameters, as many of each: what a C¹ spline is to have. The
-/// derivatives are those with respect to the parameter. Of a closed one the last point and
-/// derivative are the first.
+/// What a C¹ spline is to have: a point, a derivative with respect to the parameter, and a
+/// parameter for each joint and end, the parameters increasing. In a closed spline the last point
+/// and derivative equal the first.
 struct HermiteSpline {
   /// @{ One for each joint and end.
   std::vector<Vector<Rational>> points;
@@ -14,67 +14,71 @@ struct HermiteSpline {
   std::vector<Rational> parameters;
   /// @}
   bool is_closed = false;  ///< is the last joint the first?
-  /// Second derivatives with respect to the parameter, where they are given: one for each, too.
+  /// Second derivatives with respect to the parameter, one for each joint and end; empty where they
+  /// are not given.
   std::vector<Vector<Rational>> accelerations = {};
-  /// Of poses the rotations of their frames (frame_rotation()), one for each, too: derivatives are
-  /// along their e₁, exactly.
+  /// The rotations of the frames (frame_rotation()) where poses are given, one for each joint and
+  /// end; empty otherwise. Each derivative is exactly along the e₁ of its frame.
   std::vector<Quaternion<Integer>> frames = {};
 
-  /// How many there are between the points.
+  /// The number of segments, one between each point and the next.
   std::size_t segments() const { return points.size() - 1; }
-  /// Of the parameter, from point k to the next.
+  /// The step of the parameter from point k to the next.
   Rational step(std::size_t k) const { return parameters[k + 1] - parameters[k]; }
 };
 
 /// Where the derivatives of a spline come from.
 enum class DerivativeSource { given, tangents, poses, natural_spline, periodic_spline };
-/// The same of the parameters.
+/// Where the parameters of a spline come from.
 enum class ParameterSource { given, whole_numbers, chord_lengths };
-/// @{ Where hermite_spline() takes them from.
+/// @{ Where hermite_spline() takes derivatives and parameters from.
 PHRAME_API DerivativeSource derivative_source(const GivenPoints& given, bool is_closed);
 PHRAME_API ParameterSource parameter_source(const GivenPoints& given);
 /// @}
 
-/// What the points given mean: derivatives as they are; tangents, and those of poses, with the
-/// speed of the chords on both sides; else the derivatives of the C² cubic spline, natural or
-/// periodic, rounded to 40 bits. Parameters as they are; else 0, 1, 2, … where derivatives are
-/// given, and sums of chord lengths, rounded to 12 bits each, where they are not. A closed spline
-/// ends at its first point, which is appended unless it is given at the end, perhaps rounded
+/// Completes what is given. Derivatives are taken as they are; tangents, and those of poses, get
+/// the speed of the chords on both sides; where there is neither, the derivatives are those of the
+/// C² cubic spline through the points, natural or periodic, rounded to 40 bits. Parameters are
+/// taken as they are; where there are none, they are 0, 1, 2, … if derivatives are given, and
+/// otherwise sums of chord lengths, each rounded to 12 bits. A closed spline ends at its first
+/// point, which is appended unless the last point is that one, perhaps rounded
 /// (close_to_rounding()). Throws DomainError where two successive points are equal and their
-/// distance is needed, and where a closed spline does not end with the first derivative, or
-/// orientation.
+/// distance is needed, and where a closed spline does not end with the derivative, or orientation,
+/// that it starts with.
 PHRAME_API HermiteSpline hermite_spline(const GivenPoints& given, bool is_closed);
 
-/// Throws DomainError where a derivative is 0 at a joint, so that the tangent would break there,
-/// and where a segment is a point: its points are equal, its derivatives 0.
+/// Throws DomainError where the derivative at a joint is 0, because the tangent would break there,
+/// and where a segment is a single point: both of its points are equal and both derivatives are 0.
 PHRAME_API void require_regular(const HermiteSpline& data);
-/// Throws DomainError where a derivative is 0, of which a direction is wanted.
+/// Throws DomainError where a derivative is 0, for curves that need its direction; `what` ends the
+/// message.
 PHRAME_API void require_directions(const HermiteSpline& data,
                                    std::string_view what = "it has no direction");
 
-/// The steps of the parameter.
+/// The steps of the parameter from point to point: step k is counts[k] · unit.
 struct ParameterSteps {
-  std::vector<Integer> counts;  ///< times …
-  Rational unit;                ///< … the greatest number of which all are multiples
+  std::vector<Integer> counts;  ///< ≥ 1, with no common divisor
+  Rational unit;                ///< the greatest number of which all steps are multiples
 };
-/// Between the points.
+/// Those of these data.
 PHRAME_API ParameterSteps parameter_steps(const HermiteSpline& data);
 
-/// The greatest difference of a coordinate of two points; of points that are all equal, of what
-/// the derivatives say the points do.
+/// The greatest difference between the same coordinate of two points. Where all points are equal,
+/// it is the greatest derivative times the range of the parameter.
 PHRAME_API Rational size_of_points(const HermiteSpline& data);
-/// The greatest coordinate of a derivative.
+/// The greatest absolute value of a coordinate of a derivative.
 PHRAME_API Rational size_of_derivatives(const HermiteSpline& data);
-/// The greatest coordinate of an acceleration.
+/// The greatest absolute value of a coordinate of an acceleration.
 PHRAME_API Rational size_of_accelerations(const HermiteSpline& data);
 
-/// The same data in units that powers of 4 make of about the size of chords and steps.
+/// Data in units in which chords and steps are about 1, and the factors, powers of 4, between both.
 struct ScaledSpline {
-  HermiteSpline data;
-  Rational step_scale;      ///< of the parameter
-  Vector<Rational> scales;  ///< of points, derivatives, accelerations
-  Rational root;            ///< that A is to be multiplied by to come back
+  HermiteSpline data;       ///< in these units
+  Rational step_scale;      ///< the unit of the parameter
+  Vector<Rational> scales;  ///< the units of points, derivatives and accelerations
+  Rational root;            ///< A of the scaled curve times this is A of the curve wanted
 };
+/// The same data in such units.
 PHRAME_API ScaledSpline scaled(const HermiteSpline& data);
 
 }  // namespace phrame

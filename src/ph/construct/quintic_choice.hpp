@@ -5,15 +5,15 @@
 
 namespace phrame::inline v0 {
 
-/// Which member of the family of PH quintics with the same Hermite data. `phi` is 0 but for
-/// `energy`.
+/// The rule by which one of the PH quintics with the same Hermite data is chosen. Rules other than
+/// `energy` choose Δ and have φ = 0.
 enum class QuinticSelection {
-  automatic,  ///< of minimal, bv and cc that of least bending energy
+  automatic,  ///< whichever of minimal, bv and cc has the least bending energy
   minimal,    ///< Δ = 0: the minimal rotation from d₀ to d₁
   bv,         ///< next to a PH cubic: |A₀ − 2A₁ + A₂| is least
   cc,         ///< S(A₀, A₂) is next to the middle leg of the ordinary cubic with these data
-  shortest,   ///< of all lengths the least …
-  longest,    ///< … and the greatest
+  shortest,   ///< the shortest of all
+  longest,    ///< the longest of all
   energy      ///< automatic, then downhill to a local minimum of ∫κ² ds over Δ and φ
 };
 
@@ -25,16 +25,16 @@ struct FreeAngles {
   friend bool operator==(const FreeAngles&, const FreeAngles&) = default;
 };
 
-/// The angles φ₀, φ₁, φ₂ of the solutions of Aᵢ i Aᵢ* = … in the literature: A = exp(φ i) from the
-/// right times the solution whose α is positive, times i [Farouki 2007].
-/// Adding the same number to all three changes nothing.
+/// The free angles φ₀, φ₁, φ₂ of the literature [Farouki 2007], one for each of the equations
+/// Aᵢ i Aᵢ* = … that define the quintic: Aᵢ is the solution with positive α, multiplied on the
+/// right by i and exp(φᵢ i). Adding one number to all three leaves the curve as it is.
 struct SolutionAngles {
   double phi0;  ///< φ₀
   double phi1;  ///< φ₁
   double phi2;  ///< φ₂
 };
 
-/// Which of the quintics: by a rule, or by angles, the same in all segments.
+/// Which of the quintics is wanted: by a rule, or by angles that all segments share.
 using QuinticChoice = std::variant<QuinticSelection, FreeAngles, SolutionAngles>;
 
 }  // namespace phrame

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "phrame/export.hpp"
@@ -14,6 +15,7 @@ struct Mesh {
   std::vector<Vector<double>> points;                   ///< each once
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< the numbers of three points each
   Vector<Rational> origin = {};                         ///< from which the coordinates are
+  std::string remark = {};  ///< a sentence in ASCII that files of it carry as a comment
 };
 
 /// What the coordinates of a file are.

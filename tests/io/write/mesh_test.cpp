@@ -28,6 +28,21 @@ TEST_CASE("mesh files: OBJ counts from 1 and keeps the doubles") {
         "v 0 0 0\nv 0.1 0 0\nv 0 1 0\nv 0 0 -2.5\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
 }
 
+TEST_CASE("mesh files: comments have the origin and where the frame starts, as readers take them") {
+  Mesh mesh = tetrahedron;
+  mesh.origin = {1, Rational(1, 2), 0};
+  SweepQuery query{{}, StartNormal({0, 0, 1})};
+  mesh.remark = sweep_remark(query);
+  const std::string start = "f2 at the start is along [0, 0, 1], projected to the normal plane";
+  CHECK(to_obj(mesh).starts_with("# " + start + "\n# origin 1 1/2 0\nv 0 0 0\n"));
+  CHECK(to_ply(mesh).find("\ncomment " + start + "\ncomment origin 1 1/2 0\nelement") !=
+        std::string::npos);
+  CHECK(to_stl(mesh).starts_with("phrame; origin 1 1/2 0 "));
+  const std::string bytes = to_glb(mesh);
+  const auto json = test::Json::parse(bytes.substr(20, at<std::uint32_t>(bytes, 12)));
+  CHECK(json["asset"]["extras"]["frame"] == start);
+}
+
 TEST_CASE("mesh files: PLY has doubles and lists of three") {
   const std::string bytes = to_ply(tetrahedron);
   const std::size_t data = bytes.find("end_header\n") + 11;
