@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/modular.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -44,6 +45,8 @@ Factorization factorization(const Polynomial& p, const char* name, Split split) 
 }  // namespace
 
 Factorization squarefree_factorization(const Polynomial& p) {
+  if (!p.is_constant() && is_seen_squarefree(integer_numerator(p)))
+    return {content(p), {{primitive_part(p), 1}}};
   return factorization(p, "squarefree_factorization", fmpz_poly_factor_squarefree);
 }
 

@@ -128,6 +128,20 @@ bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
   return common.degree() == 0;
 }
 
+// A common divisor has a leading coefficient that divides that of a: where the prime does not, it
+// has its degree modulo the prime, too.
+bool are_seen_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+  const Word prime = Primes().next();
+  const ModularPolynomial a_there(prime, a);
+  return a_there.degree() == fmpz_poly_degree(a.get()) &&
+         are_coprime(a_there, ModularPolynomial(prime, b));
+}
+
+bool is_seen_squarefree(const IntegerPolynomial& a) {
+  const ModularPolynomial there(Primes().next(), a);
+  return there.degree() == fmpz_poly_degree(a.get()) && are_coprime(there, differentiate(there));
+}
+
 std::vector<FactorShape> shapes_of_factors(const ModularPolynomial& a) {
   nmod_poly_factor_t factors;
   nmod_poly_factor_init(factors);

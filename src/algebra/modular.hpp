@@ -70,6 +70,11 @@ ModularPolynomial numerator_of_series(std::vector<Word> values, const ModularPol
 ModularPolynomial from_power_sums(Word prime, const std::vector<Word>& sums);
 /// Is the gcd 1? Requires that a and b are not both 0.
 bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b);
+/// @{ Is gcd(a, b) seen to be constant, or a to have no multiple root, modulo one prime? It is
+/// where that holds, but for rare exceptions, and costs far less than to find a divisor. a ≠ 0.
+bool are_seen_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b);
+bool is_seen_squarefree(const IntegerPolynomial& a);
+/// @}
 /// An irreducible factor, but for what it is.
 struct FactorShape {
   long degree;

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/modular.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -75,7 +76,15 @@ std::vector<Rational> Polynomial::coefficients() const {
 }
 
 Rational Polynomial::operator()(const Rational& t) const {
+  if (t == 0 || is_constant()) return coefficient(0);
   Rational value;
+  if (t == 1) {
+    fmpz* sum = fmpq_numref(value.raw());
+    _fmpz_vec_sum(sum, raw()->coeffs, raw()->length);
+    fmpz_set(fmpq_denref(value.raw()), raw()->den);
+    fmpq_canonicalise(value.raw());
+    return value;
+  }
   fmpq_poly_evaluate_fmpq(value.raw(), raw(), t.raw());
   return value;
 }
@@ -161,6 +170,7 @@ Polynomial short_remainder(const Polynomial& a, const Polynomial& b) {
 
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
   if (b.is_zero()) throw DomainError("exact_quotient: the divisor is the zero polynomial");
+  if (b.is_constant()) return (1 / b.coefficient(0)) * a;
   const IntegerDivision division(a, b);
   if (fmpz_poly_is_zero(division.remainder.get()) == 0)
     throw DomainError(
@@ -174,8 +184,12 @@ Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
 Integer denominator(const Polynomial& p) { return Integer(fmpq_poly_denref(p.raw())); }
 
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
-  const flint::FmpzPoly p = integer_primitive_part(a);
-  const flint::FmpzPoly q = integer_primitive_part(b);
+  if (a.degree() == 0 || b.degree() == 0) return {1};
+  flint::FmpzPoly p = integer_numerator(a);
+  flint::FmpzPoly q = integer_numerator(b);
+  if (!a.is_zero() && are_seen_coprime(p, q)) return {1};
+  fmpz_poly_primitive_part(p.get(), p.get());
+  fmpz_poly_primitive_part(q.get(), q.get());
   flint::FmpzPoly g;
   fmpz_poly_gcd(g.get(), p.get(), q.get());
   return to_polynomial(g.get());
@@ -267,11 +281,13 @@ std::optional<Polynomial> square_root(const Polynomial& p) {
 
 Polynomial squarefree_part(const Polynomial& p) {
   if (p.is_zero()) throw DomainError("squarefree_part: the zero polynomial has no finite root set");
+  if (is_seen_squarefree(integer_numerator(p))) return primitive_part(p);
   const Polynomial repeated = gcd(p, differentiate(p));
   return repeated.is_constant() ? primitive_part(p) : exact_quotient(primitive_part(p), repeated);
 }
 
 bool is_squarefree(const Polynomial& p) {
+  if (is_seen_squarefree(integer_numerator(p))) return true;
   return fmpz_poly_is_squarefree(integer_primitive_part(p).get()) != 0;
 }
 

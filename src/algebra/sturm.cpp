@@ -44,7 +44,8 @@ Rational root_bound(const Polynomial& p) {
 /// number of roots in (a, b), with multiplicity, and exact where it is 0 or 1 (Descartes).
 long descartes_bound(const Polynomial& p, const Rational& a, const Rational& b) {
   // x = a + (b − a)·y, y ∈ (0, 1); then reverse and shift by 1: y = 1/(1 + s).
-  const flint::FmpzPoly on_unit = integer_primitive_part(compose(p, Polynomial{a, b - a}));
+  const bool is_unit = a == 0 && b == 1;
+  const flint::FmpzPoly on_unit = integer_numerator(is_unit ? p : compose(p, Polynomial{a, b - a}));
   flint::FmpzPoly shifted;
   flint::Fmpz one;
   fmpz_one(one.get());
@@ -63,6 +64,7 @@ bool is_empty(const Interval& i) {
 
 /// Both ends finite, no root of p lost: an infinite end moves to the root bound.
 Interval bounded(const Polynomial& p, Interval interval) {
+  if (interval.lower && interval.upper) return interval;
   const Rational bound = root_bound(p);
   if (!interval.lower)
     interval.lower =
@@ -180,26 +182,27 @@ long SturmChain::variations(const Rational& t) const {
 long count_real_roots(const Polynomial& p, const Interval& interval) {
   if (p.is_zero()) throw DomainError("count_real_roots: the zero polynomial vanishes everywhere");
   if (p.is_constant() || is_empty(interval)) return 0;
-  const Polynomial f = squarefree_part(p);
-  const Interval finite = bounded(f, interval);
+  const Interval finite = bounded(p, interval);
   const Rational& a = *finite.lower;
   const Rational& b = *finite.upper;
-  long count = a < b ? count_inside(f, a, b) : 0;
-  if (finite.lower_closed && f(a) == 0) ++count;
-  if (finite.upper_closed && a != b && f(b) == 0) ++count;
+  const bool has_some = a < b && descartes_bound(p, a, b) > 0;
+  long count = has_some ? count_inside(squarefree_part(p), a, b) : 0;
+  if (finite.lower_closed && p(a) == 0) ++count;
+  if (finite.upper_closed && a != b && p(b) == 0) ++count;
   return count;
 }
 
 std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& interval) {
   if (p.is_zero()) throw DomainError("isolate_real_roots: the zero polynomial vanishes everywhere");
   if (p.is_constant() || is_empty(interval)) return {};
-  const Polynomial f = squarefree_part(p);
-  const Interval finite = bounded(f, interval);
+  const Interval finite = bounded(p, interval);
   std::vector<Interval> found;
   const auto point = [&](const Rational& t) { found.push_back(closed_interval(t, t)); };
-  RootCounter counter(f);
   // The roots in the open (from, to), in order. It ends because f is squarefree.
   const auto search = [&](const Rational& from, const Rational& to) {
+    if (descartes_bound(p, from, to) == 0) return;
+    const Polynomial f = squarefree_part(p);
+    RootCounter counter(f);
     std::vector<Part> parts = {{from, to, 0}};
     while (!parts.empty()) {
       const Part part = std::move(parts.back());
@@ -220,9 +223,9 @@ std::vector<Interval> isolate_real_roots(const Polynomial& p, const Interval& in
 
   const Rational& a = *finite.lower;
   const Rational& b = *finite.upper;
-  if (finite.lower_closed && f(a) == 0) point(a);
+  if (finite.lower_closed && p(a) == 0) point(a);
   if (a < b) search(a, b);
-  if (finite.upper_closed && a != b && f(b) == 0) point(b);
+  if (finite.upper_closed && a != b && p(b) == 0) point(b);
   return found;
 }
 

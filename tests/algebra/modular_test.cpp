@@ -170,3 +170,29 @@ TEST_CASE("modular: law: a polynomial has the power sums of its roots, f′/f th
       CHECK(numerator.coefficient(k) == slope.coefficient(k));
   });
 }
+
+TEST_CASE("modular: a common factor is never taken for none, not even one that is constant there") {
+  const long p = static_cast<long>(Primes().next());
+  const auto integral = [](const Polynomial& f) { return integer_numerator(f); };
+  const Polynomial hidden{1, p};  // 1 modulo p
+  CHECK_FALSE(are_seen_coprime(integral(hidden * Polynomial{2, 1}), integral(hidden)));
+  CHECK_FALSE(is_seen_squarefree(integral(hidden * hidden * Polynomial{2, 1})));
+  for_samples(200, [](Random& random) {
+    const auto some = [&] {
+      Polynomial f{random.integer(-9, 9), random.integer(-9, 9), random.integer(-9, 9)};
+      return f.is_constant() ? Polynomial{random.integer(-9, 9), 1} : f;
+    };
+    const Polynomial a = some();
+    const Polynomial b = some();
+    const Polynomial c = some();
+    CHECK_FALSE(are_seen_coprime(integer_numerator(a * c), integer_numerator(b * c)));
+    CHECK_FALSE(is_seen_squarefree(integer_numerator(a * c * c)));
+    const auto resultant = [](const Polynomial& f, const Polynomial& g) {
+      Integer r;
+      fmpz_poly_resultant(r.raw(), integer_numerator(f).get(), integer_numerator(g).get());
+      return r;
+    };
+    CHECK(are_seen_coprime(integer_numerator(a), integer_numerator(b)) == (resultant(a, b) != 0));
+    CHECK(is_seen_squarefree(integer_numerator(a)) == (resultant(a, differentiate(a)) != 0));
+  });
+}

@@ -42,11 +42,7 @@ std::vector<Vector<Rational>> places_on(const GivenSegment& segment) {
 class Gaps {
  public:
   Gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most)
-      : segments_(segments) {
-    if (most) most_ = *most;
-    for (std::size_t k = 0; !most && k < segments.size(); ++k)
-      most_ = std::max(most_, rounding_gap(places_on(segments[k])));
-  }
+      : segments_(segments), most_(most) {}
 
   void close_joints() {
     for (std::size_t k = 1; k < segments_.size(); ++k) {
@@ -85,11 +81,19 @@ class Gaps {
  private:
   /// From the end of one to the start of the other, where that is to be closed.
   std::optional<Vector<Rational>> gap_between(const GivenSegment& before,
-                                              const GivenSegment& after) const {
+                                              const GivenSegment& after) {
     const auto end = place_at(before, 1);
     const auto start = place_at(after, 0);
-    if (!end || !start || *end == *start || !are_within(most_, *end, *start)) return std::nullopt;
+    if (!end || !start || *end == *start || !are_within(most(), *end, *start)) return std::nullopt;
     return *start - *end;
+  }
+  /// Where none is given, that of rounding all segments, found where the first gap is.
+  const Rational& most() {
+    if (most_) return *most_;
+    most_ = 0;
+    for (const GivenSegment& segment : segments_)
+      most_ = std::max(*most_, rounding_gap(places_on(segment)));
+    return *most_;
   }
   void count(const Vector<Rational>& way) {
     ++count_;
@@ -104,7 +108,7 @@ class Gaps {
   }
 
   std::vector<GivenSegment>& segments_;
-  Rational most_{};
+  std::optional<Rational> most_;
   std::size_t count_ = 0;
   Rational greatest_{};
 };

@@ -99,7 +99,7 @@ std::vector<GivenSegment> spline_segments(const CubicInterpolation& data, const 
                                           const PointPlace& place_of_point) {
   std::vector<Vector<Rational>> derivatives;
   try {
-    derivatives = cubic_derivatives(data).values;
+    derivatives = cubic_derivatives(data);
   } catch (const DomainError& error) {
     throw InputError(place, error.what());
   }

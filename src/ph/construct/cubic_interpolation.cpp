@@ -12,7 +12,7 @@
 
 // For the spline's law, spline_slopes.hpp. In ℚ the elimination makes numbers with as many digits
 // as all points before have together, so that n points cost n³; big floats cost n. What they find
-// is a guess, of which the residual, in ℚ with short numbers, says how good it is. What is
+// is rounded; the residual, in ℚ with short numbers, says how good it is. What is
 // nearly plane or nearly straight would have any torsion, so that this holds exactly: r″ = 0 at a
 // natural end, and that a spline stays in the line or the plane of its points.
 
@@ -110,8 +110,11 @@ Vectors rounded_slopes(const Chords& chords, const CubicInterpolation& data, lon
   return result;
 }
 
-/// The greatest residual of a row, divided by its off-diagonal numbers' sum.
-Rational greatest_residual(const Chords& chords, const CubicInterpolation& data, const Vectors& x) {
+}  // namespace
+
+// The greatest residual of a row, divided by its off-diagonal numbers' sum.
+Rational error_of_derivatives(const CubicInterpolation& data, const Vectors& x) {
+  const Chords chords = chords_of(data);
   const auto rows = slope_rows(chords.steps, chords.slopes, data.ends,
                                {data.start_derivative, data.end_derivative});
   const std::size_t n = rows.size();
@@ -124,8 +127,6 @@ Rational greatest_residual(const Chords& chords, const CubicInterpolation& data,
   }
   return greatest;
 }
-
-}  // namespace
 
 std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
                                     ParameterChoice choice) {
@@ -148,22 +149,18 @@ std::vector<Rational> parameters_of(const std::vector<Vector<Rational>>& points,
   return parameters;
 }
 
-CubicDerivatives cubic_derivatives(const CubicInterpolation& data) {
+Vectors cubic_derivatives(const CubicInterpolation& data) {
   require_interpolation(data);
   const Chords chords = chords_of(data);
   const std::size_t repeated = data.ends == SplineEnds::periodic ? 1 : 0;
   if (data.points.size() - repeated <= exact_cubic_points)
-    return {cubic_spline_slopes(chords.steps, chords.slopes, data.ends,
-                                {data.start_derivative, data.end_derivative}),
-            0};
+    return cubic_spline_slopes(chords.steps, chords.slopes, data.ends,
+                               {data.start_derivative, data.end_derivative});
   constexpr long bits = 128;
   const Rational size = std::max(
       {largest(chords.slopes), largest(data.start_derivative), largest(data.end_derivative)});
   if (size == 0) throw DomainError("the points are all equal, so the curve is a single point");
-  CubicDerivatives result;
-  result.values = rounded_slopes(chords, data, bits - binary_exponent(size));
-  result.error = greatest_residual(chords, data, result.values);
-  return result;
+  return rounded_slopes(chords, data, bits - binary_exponent(size));
 }
 
 BezierPoints cubic_piece(const CubicInterpolation& data,

@@ -26,25 +26,22 @@ struct CubicInterpolation {
   Vector<Rational> end_derivative = {};    ///< the same at the end
 };
 
-/// The derivatives of a spline at its points.
-struct CubicDerivatives {
-  std::vector<Vector<Rational>> values;  ///< one for each
-  /// No coordinate of one is off by more. 0: the spline is C² exactly. Else it passes the points
-  /// and is C¹, has r″ = 0 at natural ends, and stays in the line or plane of its points, all that
-  /// exactly; only its second derivatives are off at the joints.
-  Rational error;
-};
-
 /// Up to so many points the spline is exact; the end of a closed one is none more.
 inline constexpr std::size_t exact_cubic_points = 50;
 
-/// The derivatives of the C² cubic spline: for exact_cubic_points at most in ℚ, where their digits
-/// are as many as those of all points together. For more they are rounded to multiples of 2^−k, at
-/// least 128 bits below the greatest, and the error is proved by the residual: the equations'
-/// matrix, with rows divided by hₖ₋₁ + hₖ, has 2 on its diagonal and 1 beside it, so that its
-/// inverse is at most 1. Throws DomainError for parameters that do not increase, wrong counts, and
-/// a periodic spline that does not end where it starts.
-CubicDerivatives cubic_derivatives(const CubicInterpolation& data);
+/// The derivatives of the C² cubic spline at its points: for exact_cubic_points at most in ℚ, where
+/// their digits are as many as those of all points together. For more they are rounded to multiples
+/// of 2^−k, at least 128 bits below the greatest: the spline passes the points and is C¹, has r″ =
+/// 0 at natural ends, and stays in the line or plane of its points, all that exactly; only its
+/// second derivatives are off at the joints. Throws DomainError for parameters that do not
+/// increase, wrong counts, and a periodic spline that does not end where it starts.
+std::vector<Vector<Rational>> cubic_derivatives(const CubicInterpolation& data);
+
+/// No coordinate of one of these derivatives is off by more: 0 where the spline is C² exactly. It
+/// is the residual: the equations' matrix, with rows divided by hₖ₋₁ + hₖ, has 2 on its diagonal
+/// and 1 beside it, so that its inverse is at most 1.
+Rational error_of_derivatives(const CubicInterpolation& data,
+                              const std::vector<Vector<Rational>>& derivatives);
 
 /// The cubic between the points k and k + 1 as a Bézier curve, with four control points, for
 /// derivatives as cubic_derivatives() finds them.

@@ -1,6 +1,7 @@
 #include "phrame/ph/curve/exact_vector.hpp"
 
 #include "phrame/ph/curve/formula_evaluation.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -18,6 +19,18 @@ FormulaId parameter_step(const ExpressionCurve& curve, const Rational& t, Formul
 Vector<RealBall> values(const FormulaProgram& program, const ExactVector& v, long bits) {
   Vector<RealBall> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = constant_value(program, v[k], bits);
+  return result;
+}
+
+/// The vector, where all its components are fractions.
+std::optional<Vector<Rational>> rational_vector(const FormulaProgram& program,
+                                                const ExactVector& v) {
+  Vector<Rational> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational* component = program.rational(v[k]);
+    if (component == nullptr) return std::nullopt;
+    result[k] = *component;
+  }
   return result;
 }
 
@@ -119,6 +132,9 @@ std::optional<bool> are_equal(const FormulaProgram& program, const ExactVector& 
 std::optional<bool> have_same_direction(const FormulaProgram& program, const ExactVector& a,
                                         const ExactVector& b) {
   if (a == b) return true;
+  const auto c = rational_vector(program, a);
+  const auto d = rational_vector(program, b);
+  if (c && d) return cross(*c, *d) == Vector<Rational>{} && dot(*c, *d) > 0;
   const auto p = surd_direction(program, a);
   const auto q = surd_direction(program, b);
   if (p && q) return is_positive_multiple(*p, *q);

@@ -99,6 +99,11 @@ std::string to_string(const NotPythagorean& reason) {
                      abbreviated(to_string(reason.odd_factor), 120));
 }
 
+bool may_be_pythagorean(const Vector<Polynomial>& direction) {
+  const Polynomial n = dot(direction, direction);
+  return n.is_constant() || !is_squarefree(n);
+}
+
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,
                                              const Vector<Rational>& start) {
   const auto& [dx, dy, dz] = hodograph;

@@ -31,19 +31,20 @@ void refuse_zeros(const Polynomial& weight) {
 
 RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight) {
   if (weight.is_zero()) throw DomainError("the weight function is 0");
-  const Polynomial common = gcd(gcd(numerator), weight);
+  const Polynomial common = weight.is_constant() ? weight : gcd(gcd(numerator), weight);
   numerator_ = quotient(numerator, common);
   weight_ = exact_quotient(weight, common);
   refuse_zeros(weight_);
-  const Rational size = abs(content(weight_));
-  const Rational unit = Rational(sign_after_zero(weight_)) / size;
-  weight_ *= unit;
-  for (Polynomial& x : numerator_) x *= unit;
+  const Rational unit = Rational(sign_after_zero(weight_)) / abs(content(weight_));
+  if (unit != 1) {
+    weight_ *= unit;
+    for (Polynomial& x : numerator_) x *= unit;
+  }
 
-  const Polynomial slope = differentiate(weight_);
-  Vector<Polynomial> hodograph;
-  for (std::size_t k = 0; k < 3; ++k)
-    hodograph[k] = differentiate(numerator_[k]) * weight_ - numerator_[k] * slope;
+  Vector<Polynomial> hodograph = differentiate(numerator_);
+  if (const Polynomial slope = differentiate(weight_); !slope.is_zero())
+    for (std::size_t k = 0; k < 3; ++k)
+      hodograph[k] = hodograph[k] * weight_ - numerator_[k] * slope;
   multiplier_ = gcd(hodograph);
   if (multiplier_.is_zero())
     throw DomainError(fmt::format("the curve is the point {}", abbreviated(point(*this, 0))));
