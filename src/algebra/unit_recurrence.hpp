@@ -1,25 +1,29 @@
 #pragma once
 #include <vector>
 
+#include "phrame/algebra/unit_number.hpp"
 #include "phrame/algebra/unit_quotient.hpp"
 
 namespace phrame::inline v0 {
 
 // The two recurrences of unit_series(), in fixed point: all is in units of 2^−Q, and every step
-// counts what it leaves over in the equation that it is made from.
+// counts what it leaves over in the equation that it is made from. Number is Integer, or TwoWords
+// where all numbers are seen to fit: of coefficients with `most_bits` behind the point, between 64
+// and 127, and of a series with some bits less, as unit_series() sees to it.
 
 /// pₖ/divisor with so many bits behind the point, rounded down.
+template <class Number>
 class FixedCoefficients {
  public:
   FixedCoefficients(const IntegerPolynomial& p, const Integer& divisor, long most_bits);
 
-  void round_to(long bits);  ///< ≤ most_bits
-  std::size_t size() const { return full_.size(); }
-  const Integer& operator[](std::size_t k) const { return now_[k]; }  ///< pₖ·2^bits, ⌊·⌋
+  void round_to(long bits);  ///< ≤ most_bits; of TwoWords nothing is gained by it, nor done
+  std::size_t size() const { return now_.size(); }
+  const Number& operator[](std::size_t k) const { return now_[k]; }  ///< pₖ·2^bits, ⌊·⌋
 
  private:
   std::vector<Integer> full_;
-  std::vector<Integer> now_;
+  std::vector<Number> now_;
   long full_bits_;
 };
 
@@ -33,14 +37,15 @@ struct BitsInUse {
 };
 
 /// The coefficients of a series.
+template <class Number>
 struct FixedSeries {
-  std::vector<Integer> c{};  ///< in units of 2^−Q
-  std::size_t window;        ///< so many of the last ones are looked at
-  long most = 0;             ///< none of these has more bits
-  double left_over = 0;      ///< by the steps, in ‖…‖
+  std::vector<Number> c{};  ///< in units of 2^−Q
+  std::size_t window;       ///< so many of the last ones are looked at
+  long most = 0;            ///< none of these has more bits
+  double left_over = 0;     ///< by the steps, in ‖…‖
 
   explicit FixedSeries(std::size_t last) : window(last) {}
-  void push(Integer x);
+  void push(Number x);
   /// A step that rounded down, and that took `count` coefficients with an error of 2^−bits each
   /// times numbers of so many bits.
   void count_errors(std::size_t count, long bits_of_numbers, long bits);
@@ -48,40 +53,36 @@ struct FixedSeries {
 
 /// w ≈ 1/√σ, σ = S/S(0), by n·wₙ = −Σ (n − i/2)·σᵢ·wₙ₋ᵢ, i ≥ 1. A step counts what is left over in
 /// σ·w′ + σ′·w/2, over n: Σ (1 − i/2n)·σᵢ·wₙ₋ᵢ, i ≥ 0.
+template <class Number>
 class RootRecurrence {
  public:
   RootRecurrence(const UnitQuotient& f, long Q, long most_bits);
 
-  const FixedSeries& w() const { return w_; }  ///< w₀ = 1 from the start
-  void step();                                 ///< one coefficient more
+  const FixedSeries<Number>& w() const { return w_; }  ///< w₀ = 1 from the start
+  void step();                                         ///< one coefficient more
 
  private:
-  void weigh(std::size_t n);
-
-  FixedCoefficients sigma_;
+  FixedCoefficients<Number> sigma_;
   BitsInUse bits_;
-  std::vector<Integer> weighted_;
-  std::vector<Integer> twice_;
-  FixedSeries w_;
-  Integer sum_;
+  FixedSeries<Number> w_;
 };
 
 /// y ≈ ν·w/δ, δ = D/D(0), ν = N/2ᵉ, by yₙ = Σ νⱼ·wₙ₋ⱼ − Σ δᵢ·yₙ₋ᵢ, i ≥ 1. A step counts what is
 /// left over in ν·w − δ·y.
+template <class Number>
 class QuotientRecurrence {
  public:
   QuotientRecurrence(const UnitQuotient& f, long most_bits);
 
-  const FixedSeries& y() const { return y_; }  ///< empty at the start
+  const FixedSeries<Number>& y() const { return y_; }  ///< empty at the start
   /// One coefficient more. Precondition: w has as many by now.
-  void step(const FixedSeries& w);
+  void step(const FixedSeries<Number>& w);
 
  private:
-  FixedCoefficients nu_;
-  FixedCoefficients delta_;
+  FixedCoefficients<Number> nu_;
+  FixedCoefficients<Number> delta_;
   BitsInUse bits_;
-  FixedSeries y_;
-  Integer sum_;
+  FixedSeries<Number> y_;
 };
 
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/unit_recurrence.hpp"
 
 // ‖p‖ = Σ |pₖ|, so that |p(x)| ≤ ‖p‖; 1/√σ ≤ B, 1/|δ| ≤ C, ‖ν‖ ≤ 1, σ₀ = δ₀ = w₀ = 1.
@@ -33,10 +34,11 @@ std::vector<double> sums_from(const std::vector<double>& p) {
 }
 
 /// Σ |pᵢ|·|cₖ| over all i + k ≥ the number of the cₖ: of those beyond it.
-double left_out(const std::vector<double>& sums_of_p, const std::vector<Integer>& c) {
+template <class Number>
+double left_out(const std::vector<double>& sums_of_p, const std::vector<Number>& c) {
   double total = 0;
   for (std::size_t k = 1; k < sums_of_p.size() && k <= c.size(); ++k)
-    total += sums_of_p[k] * std::abs(fmpz_get_d(c[c.size() - k].raw()));
+    total += sums_of_p[k] * std::abs(to_double(c[c.size() - k]));
   return total * round_up;
 }
 
@@ -62,10 +64,16 @@ struct EndOfSeries {
     return 2 * bounds.root * (weight_of_root * tail(sigma) + static_cast<double>(nu.size())) +
            2 * bounds.quotient * tail(delta);
   }
-  double of_root(const FixedSeries& w) const { return left_out(sigma, w.c); }
-  double of_quotient(const FixedSeries& w, const FixedSeries& y) const {
+  template <class Number>
+  double of_root(const FixedSeries<Number>& w) const {
+    return left_out(sigma, w.c);
+  }
+  template <class Number>
+  double of_quotient(const FixedSeries<Number>& w, const FixedSeries<Number>& y) const {
     return left_out(nu, w.c) + left_out(delta, y.c);
   }
+  /// The greatest of all ratios, about.
+  double greatest() const { return std::max({sigma.front(), delta.front(), 1.0}); }
 };
 
 /// x·2^−Q, exactly.
@@ -83,70 +91,104 @@ RealBall in_units(double x, long Q) {
 }
 
 /// ∫y, with what is known of it but for its error.
-UnitSeries integrated(const std::vector<Integer>& y, long Q) {
+template <class Number>
+UnitSeries integrated(const std::vector<Number>& y, long Q) {
   std::vector<RealBall> coefficients(y.size() + 1);
-  Integer even;
-  Integer odd;
-  Integer size;
-  Integer c;
+  Number even{};
+  Number odd{};
+  Number size{};
   for (std::size_t n = 0; n < y.size(); ++n) {
-    fmpz_fdiv_q_ui(c.raw(), y[n].raw(), n + 1);
+    const Number c = floor_quotient(y[n], n + 1);
     (n % 2 == 0 ? odd : even) += c;
-    if (y[n].sign() < 0)
+    if (sign(y[n]) < 0)
       size -= y[n];
     else
       size += y[n];
-    coefficients[n + 1] = in_units(c, Q);
+    coefficients[n + 1] = in_units(to_integer(c), Q);
   }
   UnitSeries result;
   result.integral = BallPolynomial(coefficients);
-  result.start = in_units(Integer(even - odd), Q);
-  result.whole = in_units(Integer(odd << 1U), Q);
-  result.size = in_units(size, Q);  // ‖y‖
+  result.start = in_units(to_integer(Number(even - odd)), Q);
+  result.whole = in_units(to_integer(odd) << 1U, Q);
+  result.size = in_units(to_integer(size), Q);  // ‖y‖
   return result;
+}
+
+/// What is aimed at.
+struct Aim {
+  double of_root;   ///< B², as in 1.
+  double of_all;    ///< 2C
+  double terms;     ///< about so many
+  long Q;           ///< all is in units of 2^−Q
+  double left_out;  ///< so much may be left out at the ends, in these units
+  long most_bits;   ///< so many have the coefficients behind the point, of any series
+};
+
+/// No value where its numbers do not fit, or get smaller far more slowly than is expected.
+template <class Number>
+std::optional<UnitSeries> series_by(const UnitQuotient& f, const EndOfSeries& end, const Aim& aim) {
+  const auto fits = [](const FixedSeries<Number>& series) {
+    return std::same_as<Number, Integer> ||
+           series.most + std::bit_width(2 * series.c.size()) <= most_factor_bits;
+  };
+  RootRecurrence<Number> root(f, aim.Q, aim.most_bits);
+  QuotientRecurrence<Number> quotient(f, aim.most_bits);
+  quotient.step(root.w());
+  double left_out = INFINITY;
+  while (!(left_out <= aim.left_out)) {
+    if (static_cast<double>(root.w().c.size()) > 4 * aim.terms + 1000) return std::nullopt;
+    for (int k = 0; k < 4; ++k) {
+      root.step();
+      quotient.step(root.w());
+      if (!fits(root.w()) || !fits(quotient.y())) return std::nullopt;
+    }
+    if (std::max(root.w().most, quotient.y().most) < 900)
+      left_out = aim.of_all *
+                 (aim.of_root * end.of_root(root.w()) + end.of_quotient(root.w(), quotient.y()));
+  }
+  UnitSeries result = integrated(quotient.y().c, aim.Q);
+  const double rounded = aim.of_all * (aim.of_root * root.w().left_over + quotient.y().left_over) +
+                         2 * static_cast<double>(quotient.y().c.size());
+  result.error = in_units(left_out + rounded, aim.Q);
+  result.size = add(result.size, result.error, 64);
+  return result;
+}
+
+/// The same by numbers of two words, where these do; there the coefficients may have fewer bits
+/// than is aimed at, and what comes of that is seen by the error.
+std::optional<UnitSeries> short_series(const UnitQuotient& f, const EndOfSeries& end, Aim aim,
+                                       std::size_t count, long bits) {
+  if (count > most_products || !(end.greatest() < 0x1p40)) return std::nullopt;
+  aim.most_bits = most_factor_bits - 1 - static_cast<long>(std::ceil(std::log2(end.greatest())));
+  if (aim.Q + 3 > aim.most_bits) return std::nullopt;
+  auto series = series_by<TwoWords>(f, end, aim);
+  if (series && series->error.upper() > power_of_two(-bits)) return std::nullopt;
+  return series;
 }
 
 }  // namespace
 
 std::optional<UnitSeries> unit_series(const UnitQuotient& f, const UnitBounds& bounds, long bits) {
-  const double of_root = bounds.root * bounds.root * round_up;
-  const double of_all = 2 * bounds.quotient * round_up;
+  Aim aim{};
+  aim.of_root = bounds.root * bounds.root * round_up;
+  aim.of_all = 2 * bounds.quotient * round_up;
   const std::size_t count = static_cast<std::size_t>(fmpz_poly_length(f.numerator.get()) +
                                                      fmpz_poly_length(f.denominator.get()) +
                                                      fmpz_poly_length(f.radicand.get()));
   // About so many terms, and so many units for their rounding.
-  const double terms =
-      (static_cast<double>(bits) + std::log2(of_root * of_all) + 8) / bounds.bits_per_term +
+  aim.terms =
+      (static_cast<double>(bits) + std::log2(aim.of_root * aim.of_all) + 8) / bounds.bits_per_term +
       static_cast<double>(count);
   const EndOfSeries end(f);
-  const double roundings =
-      of_all * std::max((of_root + 1) * 2 * terms, end.of_rounding(bounds, of_root)) + 2 * terms;
-  const long Q = bits + 1 + static_cast<long>(std::ceil(std::log2(roundings)));
-  const double enough = 0.5 * std::ldexp(1.0, static_cast<int>(std::min(Q - bits, 1000L)));
-
-  const long most_bits = Q + 2 + bit_length(Integer(static_cast<long>(count))) +
-                         static_cast<long>(std::log2(bounds.root * bounds.quotient));
-  RootRecurrence root(f, Q, most_bits);
-  QuotientRecurrence quotient(f, most_bits);
-  quotient.step(root.w());
-  double left_out = INFINITY;
-  while (!(left_out <= enough)) {
-    const auto length = static_cast<double>(root.w().c.size());
-    if (length > 4 * terms + 1000) return std::nullopt;
-    for (int k = 0; k < 4; ++k) {
-      root.step();
-      quotient.step(root.w());
-    }
-    if (std::max(root.w().most, quotient.y().most) < 900)
-      left_out =
-          of_all * (of_root * end.of_root(root.w()) + end.of_quotient(root.w(), quotient.y()));
-  }
-  UnitSeries result = integrated(quotient.y().c, Q);
-  const double rounded = of_all * (of_root * root.w().left_over + quotient.y().left_over) +
-                         2 * static_cast<double>(quotient.y().c.size());
-  result.error = in_units(left_out + rounded, Q);
-  result.size = add(result.size, result.error, 64);
-  return result;
+  const double roundings = aim.of_all * std::max((aim.of_root + 1) * 2 * aim.terms,
+                                                 end.of_rounding(bounds, aim.of_root)) +
+                           2 * aim.terms;
+  aim.Q = bits + 1 + static_cast<long>(std::ceil(std::log2(roundings)));
+  aim.left_out = 0.5 * std::ldexp(1.0, static_cast<int>(std::min(aim.Q - bits, 1000L)));
+  aim.most_bits = aim.Q + 2 + bit_length(Integer(static_cast<long>(count))) +
+                  static_cast<long>(std::log2(bounds.root * bounds.quotient));
+  if (auto series = short_series(f, end, aim, count, bits)) return series;
+  return series_by<Integer>(f, end, aim);
 }
 
 }  // namespace phrame

@@ -244,6 +244,7 @@ RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   require_inside(t);
   if (state_->exact) return RealBall((*state_->exact)(t), bits);
   const auto known = state_->to_bits(bits);
+  if (t == 1) return add(known->of.back().before, known->of.back().whole, bits + 32);
   const std::size_t k = known->part_at(t);
   const SeriesPart& part = known->parts.all[k];
   const SeriesExpansion& here = known->of[k];

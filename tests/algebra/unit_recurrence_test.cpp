@@ -16,23 +16,25 @@ Polynomial over_first(const IntegerPolynomial& p) {
 }
 
 /// What is left over by the last step, over what was counted for it: by fractions.
-double root_share(const FixedSeries& w, const Polynomial& sigma, double counted) {
+template <class Number>
+double root_share(const FixedSeries<Number>& w, const Polynomial& sigma, double counted) {
   const auto n = static_cast<long>(w.c.size()) - 1;
   Rational rest = 0;
   for (long i = 0; i <= std::min(n, sigma.degree()); ++i)
     rest += (1 - Rational(i, 2 * n)) * sigma.coefficient(i) *
-            Rational(w.c[static_cast<std::size_t>(n - i)]);
+            Rational(to_integer(w.c[static_cast<std::size_t>(n - i)]));
   return static_cast<double>(abs(rest)) / counted;
 }
 
-double quotient_share(const FixedSeries& w, const FixedSeries& y, const Polynomial& nu,
-                      const Polynomial& delta, double counted) {
+template <class Number>
+double quotient_share(const FixedSeries<Number>& w, const FixedSeries<Number>& y,
+                      const Polynomial& nu, const Polynomial& delta, double counted) {
   const auto n = static_cast<long>(y.c.size()) - 1;
   Rational rest = 0;
   for (long j = 0; j <= std::min(n, nu.degree()); ++j)
-    rest += nu.coefficient(j) * Rational(w.c[static_cast<std::size_t>(n - j)]);
+    rest += nu.coefficient(j) * Rational(to_integer(w.c[static_cast<std::size_t>(n - j)]));
   for (long i = 0; i <= std::min(n, delta.degree()); ++i)
-    rest -= delta.coefficient(i) * Rational(y.c[static_cast<std::size_t>(n - i)]);
+    rest -= delta.coefficient(i) * Rational(to_integer(y.c[static_cast<std::size_t>(n - i)]));
   return static_cast<double>(abs(rest)) / counted;
 }
 
@@ -42,13 +44,14 @@ struct Shares {
   double quotient = 0;
 };
 
+template <class Number>
 Shares shares_of(const UnitQuotient& f, long Q, long most_bits, int steps) {
   const Polynomial sigma = over_first(f.radicand);
   const Polynomial delta = over_first(f.denominator);
   const Polynomial nu =
       power_of_two(-unit_exponent(f.numerator)) * to_polynomial(f.numerator.get());
-  RootRecurrence root(f, Q, most_bits);
-  QuotientRecurrence quotient(f, most_bits);
+  RootRecurrence<Number> root(f, Q, most_bits);
+  QuotientRecurrence<Number> quotient(f, most_bits);
   Shares shares;
   for (int k = 0; k < steps; ++k) {
     const double before = quotient.y().left_over;
@@ -72,6 +75,7 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
   test::Random random(79);
   Shares most;
   Shares of_coefficients;
+  Shares of_words;
   for (long k = 0; k < 60 * test::multiplier(); ++k) {
     Polynomial S{random.integer(1, 9)};
     Polynomial D{random.integer(1, 9)};
@@ -86,9 +90,11 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
     CAPTURE(S);
     CAPTURE(Q);
     // With as many bits as unit_series() takes, about, and with far fewer than the numbers have.
-    const Shares enough = shares_of(f, Q, Q + 8, 30);
-    const Shares few = shares_of(f, Q, std::max(4L, Q - 6), 30);
-    for (const Shares& shares : {enough, few}) {
+    const Shares enough = shares_of<Integer>(f, Q, Q + 8, 30);
+    const Shares few = shares_of<Integer>(f, Q, std::max(4L, Q - 6), 30);
+    const Shares by_words = shares_of<TwoWords>(f, Q + 16, 90, 30);
+    const Shares few_words = shares_of<TwoWords>(f, 76, 70, 30);
+    for (const Shares& shares : {enough, few, by_words, few_words}) {
       CHECK(shares.root <= 1);
       CHECK(shares.quotient <= 1);
     }
@@ -96,9 +102,52 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
     most.quotient = std::max(most.quotient, enough.quotient);
     of_coefficients.root = std::max(of_coefficients.root, few.root);
     of_coefficients.quotient = std::max(of_coefficients.quotient, few.quotient);
+    of_words.root = std::max(of_words.root, few_words.root);
+    of_words.quotient = std::max(of_words.quotient, few_words.quotient);
   }
   CHECK(most.root > 0.9);
   CHECK(most.quotient > 0.9);
   CHECK(of_coefficients.root > 0.9);
   CHECK(of_coefficients.quotient > 0.9);
+  CHECK(of_words.root > 0.9);
+  CHECK(of_words.quotient > 0.9);
+}
+
+TEST_CASE("unit recurrence: law: sums of products of two words are those of integers") {
+  test::Random random(83);
+  const auto some = [&random](long bits) {
+    const Integer size =
+        (Integer(random.integer(0, LONG_MAX)) << 63U) + random.integer(0, LONG_MAX);
+    const Integer x = size >> static_cast<unsigned long>(random.integer(126 - bits, 126));
+    return random.chance(2) ? x : Integer(-x);
+  };
+  for (long k = 0; k < 300 * test::multiplier(); ++k) {
+    ProductSum<Integer> sum;
+    ProductSum<TwoWords> by_words;
+    for (std::size_t j = 0; j < most_products; ++j) {
+      const bool is_greatest = random.chance(4);
+      const Integer limit = (Integer(1) << static_cast<unsigned long>(most_factor_bits)) - 1;
+      const Integer a = is_greatest ? limit : some(most_factor_bits);
+      const Integer b = is_greatest ? Integer(-limit) : some(most_factor_bits);
+      const auto x = from_integer<TwoWords>(a);
+      const auto y = from_integer<TwoWords>(b);
+      CHECK(to_integer(x) == a);
+      CHECK(bit_length(x) == bit_length(a));
+      if (random.chance(2)) {
+        sum.add(a, b);
+        by_words.add(x, y);
+      } else {
+        sum.subtract(a, b);
+        by_words.subtract(x, y);
+      }
+      const long bits = random.integer(64, 128);
+      const Integer upper = sum.upper(bits);
+      if (bit_length(upper) < 124)
+        CHECK(to_integer(by_words.upper(bits)) == upper);
+      else
+        CHECK(bit_length(by_words.upper(bits)) > most_factor_bits);
+      const auto n = static_cast<std::size_t>(random.integer(1, 99));
+      CHECK(to_integer(floor_quotient(x, n)) == floor_quotient(a, n));
+    }
+  }
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <mutex>
 
@@ -223,15 +222,16 @@ void PathAngle::set_route(Route route) { state_ = std::make_shared<State>(*state
 
 /// θ at the start of the segment.
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
-  const long enough = (bits + 63) / 64 * 64;  // few precisions are kept
+  const long enough = (bits + 31) / 32 * 32;  // few precisions are kept
+  const long more = enough + 32;              // for sums of many terms
   const std::lock_guard lock(sums_lock);
   std::vector<RealBall>& known = sums[enough];
   if (known.empty()) known.emplace_back();
   while (known.size() <= segment) {
     const std::size_t k = known.size();
-    RealBall sum = add(known.back(), enclose_on(k - 1, Rational(1), enough), enough);
+    RealBall sum = add(known.back(), enclose_on(k - 1, Rational(1), enough), more);
     if (const auto turn = corner_turns.find(k); turn != corner_turns.end())
-      sum = add(sum, turn->second.enclose(enough), enough);
+      sum = add(sum, turn->second.enclose(enough), more);
     known.push_back(std::move(sum));
   }
   return known[segment];
@@ -240,8 +240,7 @@ RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
 RealBall PathAngle::State::enclose(const Place& at, long bits) {
   if (is_zero) return {};
   constexpr long most = 1L << 20;
-  const auto guard = 8 + static_cast<long>(std::bit_width(at.segment));  // of so many terms
-  for (long more = bits + guard;; more += 24 + more / 4) {
+  for (long more = bits + 8;; more += 24 + more / 4) {
     const RealBall sum =
         add(sum_before(at.segment, more), enclose_on(at.segment, at.t, more), more);
     if (sum.is_accurate(bits)) return sum;
