@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../curves.hpp"
-#include "phrame/io/batch.hpp"
+#include "phrame/cli/batch_line.hpp"
 
 namespace {
 
@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
       {"compiled-value", [&] { compiled(other()); }},
       {"compiled-frame", [&] { compiled_frames(other()); }},
       // A line of a batch, θ(1) to 17 digits.
-      {"batch-line", [&] { batch_answer(R"({"id": 1, "at": [1], "curve": )" + text + "}", {}); }},
+      {"batch-line",
+       [&] { cli::batch_answer(R"({"id": 1, "at": [1], "curve": )" + text + "}", {}); }},
   };
   const auto stage = stages.find(argv[1]);
   if (stage == stages.end()) return 2;

@@ -70,8 +70,9 @@ void run(const Command& command, const AngleOptions& options) {
   if (path.segments().size() > 1 && print.as == Print::As::script)
     fail_for_spline("--print", options.form.print);
   const bool is_up = reference_of(path, query.up, query.reference) == Reference::up;
-  if (goes_on(path) && !is_up && query.at.empty() && query.samples == 0)
-    // Else the total angle is shown, at least.
+  // Else the total angle is shown, at least. Who asks for JSON may ask in one way of all curves.
+  if (print.as != Print::As::json && goes_on(path) && !is_up && query.at.empty() &&
+      query.samples == 0)
     command.refuse({"--digits", "--route"}, "needs --at or --samples: no value is asked for");
   options.form.length.write(options.curve.output, printed(answer(named, query), print));
 }
@@ -113,7 +114,7 @@ void add_angle(Program& program) {
       "  phrame angle curve.json --frame frenet --samples 11 --print json\n"
       "  phrame angle - --form rothstein-trager < curve.json\n"
       "  phrame angle curve.json --form real --print maxima");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

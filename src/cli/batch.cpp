@@ -1,6 +1,6 @@
 // Lines in, lines out, in order, on all cores. The output has whole lines only, whenever the run
 // ends, so that a later run can go on.
-#include "phrame/io/batch.hpp"
+#include "phrame/cli/batch_line.hpp"
 #include "phrame/cli/progress_line.hpp"
 
 #include <fcntl.h>
@@ -22,8 +22,6 @@
 #include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
-#include "phrame/cli/option_list.hpp"
-#include "phrame/cli/question.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::inline v0::cli {
@@ -39,7 +37,9 @@ struct BatchOptions {
   std::vector<std::string> at;
   StartOptions start;
   std::optional<std::string> near;
-  BatchDefaults defaults;
+  long digits = 17;
+  bool values_only = false;
+  CurveLimits limits;
 };
 
 /// What an earlier run has answered.
@@ -185,21 +185,19 @@ class Failures {
   std::string first_;
 };
 
+/// What is wrong with an option is said before a line is read.
 BatchDefaults defaults_of(const Command& command, const BatchOptions& options) {
-  BatchDefaults defaults = options.defaults;
-  defaults.seconds = command.time_limit();
   choose("--question", options.question, answering_commands());
-  defaults.question = options.question;
-  defaults.otherwise = [of_all = QuestionDefaults{options.question, command.given()}](
-                           const JsonNode& line) { return answer_question(line, of_all); };
-  defaults.frame = chosen_reference(options.frame);
-  for (const std::string& t : split(options.at)) defaults.at.push_back(parse_option("--at", t));
+  chosen_reference(options.frame);
+  for (const std::string& t : split(options.at)) parse_option("--at", t);
   if (!options.start.rule.empty() && options.start.rule != "least")
     throw InputError("--start", "each line has a frame of its own that its angle is measured from");
-  defaults.start = options.start.start();
-  defaults.near = parse_near_option(options.near);
-  defaults.limits.near_option = "--near";
-  return defaults;
+  options.start.start();
+  parse_near_option(options.near);
+  auto of_all = command.given();
+  // PH curves are measured from the Euler–Rodrigues frame anyway, and others have none.
+  std::erase(of_all, std::pair<std::string, std::string>("--frame", "erf"));
+  return {{options.question, std::move(of_all)}, command.time_limit()};
 }
 
 /// The file that --skip-done names, "" for none. Throws InputError for one that cannot be it.
@@ -301,7 +299,7 @@ void add_batch(Program& program) {
       "kept in FILE.damaged");
   command.add_number("--threads", options->threads, {1, 4096},
                      "so many at a time (default: all cores)");
-  command.add_flag("--values-only", options->defaults.values_only,
+  command.add_flag("--values-only", options->values_only,
                    "answers without integrand and antiderivative");
   command.add_option("--question", "COMMAND", options->question,
                      "what lines without \"question\" ask (default angle)");
@@ -310,8 +308,8 @@ void add_batch(Program& program) {
   options->start.add_to(command, StartOptions::Rule::reference,
                         "default; for lines without \"theta0\" and \"start_normal\"");
   add_near(command, options->near);
-  add_digits(command, options->defaults.digits);
-  add_max_degree(command, options->defaults.limits);
+  add_digits(command, options->digits);
+  add_max_degree(command, options->limits);
   command.set_notes(
       "A line is {\"id\": \"a7\", \"curve\": {...}, \"frame\": \"erf\", \"at\": [\"1\"], "
       "\"digits\": 17,\n"
@@ -339,7 +337,7 @@ void add_batch(Program& program) {
       "  generate | phrame batch --values-only | filter");
   command.limits_time_of(
       "a line without an answer after so many seconds gets an error with status 4");
-  command.does([options, &command] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

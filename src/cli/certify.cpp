@@ -40,7 +40,7 @@ void add_certify(Program& program) {
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

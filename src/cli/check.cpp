@@ -187,7 +187,7 @@ void add_check(Program& program) {
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json frames.npy --theta0 0\n"
       "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

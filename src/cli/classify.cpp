@@ -37,7 +37,7 @@ void add_classify(Program& program) {
       "Examples:\n"
       "  phrame classify curve.json\n"
       "  phrame classify curve.json --print json -o class.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

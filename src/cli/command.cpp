@@ -30,10 +30,12 @@ auto read_by(Read read, const CurveOptions& options) {
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options); });
 }
 
-NamedPath read_any(std::string_view text, const CurveOptions& options) {
+/// Of text or JSON.
+template <class Source>
+NamedPath read_any(const Source& source, const CurveOptions& options) {
   CurveLimits limits = options.limits;
   if (options.gap) limits.gap = parse_positive_option("--gap", *options.gap);
-  return phrame::read_any_path(text, limits, options.reading);
+  return phrame::read_any_path(source, limits, options.reading);
 }
 
 NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
@@ -42,13 +44,11 @@ NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
 
 /// Where it is not in a file: that of an exchange; else null.
 const NamedPath* given_path(const std::string& file, const FileReading& reading) {
-  const Exchange* here = Exchange::current();
-  if (here == nullptr) return nullptr;
-  const auto found = here->paths.find(file);
-  if (found == here->paths.end()) return nullptr;
+  const auto* path = Exchange::content<NamedPath>(file);
+  if (path == nullptr) return nullptr;
   reading.refuse_skipping("a curve that was read before");
   reading.refuse_picking("a curve that was read before");
-  return &found->second;
+  return path;
 }
 
 NamedPhPath ph_path_of(const NamedPath& named) {
@@ -306,7 +306,8 @@ NamedPath CurveOptions::read_near_or_any() const {
     if (gap) throw InputError("--gap", "is for files, not for a curve that was read before");
     return *named;
   }
-  NamedPath read = read_by(read_any, *this);
+  const auto* node = Exchange::content<JsonNode>(path);
+  NamedPath read = node != nullptr ? read_any(*node, *this) : read_by(read_any<std::string>, *this);
   for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
   if (read.path.is_ph()) return read;
   if (const auto near_one = suggestion_of(read.path))

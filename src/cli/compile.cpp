@@ -97,7 +97,7 @@ void add_compile(Program& program) {
       "Examples:\n"
       "  phrame compile curve.json -o angle.h\n"
       "  phrame compile curve.json --from -1 --to 2 --prefix arm -o arm.h");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

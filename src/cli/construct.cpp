@@ -205,7 +205,7 @@ void add_construct(Program& program) {
       "  phrame construct knot.csv --kind rmf --closed --print json\n"
       "  phrame construct poses.tum --tangent-axis x -o path.json\n"
       "  phrame construct points.csv --print curve | phrame frames - --samples 101");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -42,6 +42,13 @@ bool close_written(File file) {
   return std::fclose(file.release()) == 0 && flushed;
 }
 
+/// What would be in a file with this.
+std::string file_text(const JsonNode& node) {
+  const std::string text = json_text(node);
+  if (!node.is(JsonNode::Kind::object) || node.find("phrame")) return text;
+  return R"({"phrame":"curve/1")" + std::string(text == "{}" ? "" : ",") + text.substr(1);
+}
+
 }  // namespace
 
 void fail_with_errno(const std::string& place, std::string_view what) {
@@ -51,18 +58,17 @@ void fail_with_errno(const std::string& place, std::string_view what) {
 
 std::string name_of_file(const std::string& path) {
   if (const Exchange* here = Exchange::current())
-    return here->files.contains(path) || here->paths.contains(path)
-               ? path
-               : fmt::format("for a file, \"{}\"", abbreviated(path));
+    return here->files.contains(path) ? path : fmt::format("for a file, \"{}\"", abbreviated(path));
   return path == "-" ? "standard input" : path;
 }
 
 std::string read_file(const std::string& path) {
-  if (const Exchange* here = Exchange::current()) {
-    if (here->paths.contains(path))
+  if (Exchange::current() != nullptr) {
+    if (Exchange::content<NamedPath>(path) != nullptr)
       throw InputError(path, "it is made already: what is in a file is wanted");
-    const auto file = here->files.find(path);
-    return file == here->files.end() ? path : file->second;
+    if (const JsonNode* node = Exchange::content<JsonNode>(path)) return file_text(*node);
+    const auto* text = Exchange::content<std::string>(path);
+    return text == nullptr ? path : *text;
   }
   std::error_code ignored;
   if (path != "-" && std::filesystem::is_directory(path, ignored))

@@ -382,7 +382,7 @@ void add_frames(Program& program) {
       "  phrame frames curve.json --samples 101 --columns quaternion -o poses.csv\n"
       "  phrame frames curve.json --by arc-length --samples 241 --duration 10 -o camera.glb\n"
       "  phrame frames curve.json --frame mtf --from pi/8 --to -pi/2 --samples 101");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -109,7 +109,7 @@ void add_identify(Program& program) {
       "  phrame identify bezier.json\n"
       "  phrame identify doubles.json --near 1e-14\n"
       "  phrame identify bezier.json --print curve -o ph.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -45,7 +45,7 @@ void add_info(Program& program) {
       "  phrame info curve.json --digits 30\n"
       "  phrame info curve.json --box --nearest 1,2,3\n"
       "  phrame info curve.json --print json -o info.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -110,7 +110,7 @@ void add_integrate(Program& program) {
       "  phrame integrate '1/(x^4+1)' --from 0 --to 1 --digits 50\n"
       "  phrame integrate '1/(t^2-2)' --form real --from 'root(t^2-3, 1, 2)' --to inf\n"
       "  phrame integrate '1/(x^5+x+1)' --print sympy");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

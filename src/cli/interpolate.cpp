@@ -105,7 +105,7 @@ void add_interpolate(Program& program) {
       "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
       "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'\n"
       "  phrame interpolate curve.json --period 0.01 --feed 50 --tool f2 -o path.nc");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -137,7 +137,7 @@ void add_mtf(Program& program) {
       "  phrame mtf curve.json --from-vector 0,0,1 --to-vector 1,1,0 --digits 30 --print json\n"
       "  phrame mtf closed.json --from 0 --closed\n"
       "  phrame mtf curve.json --wronskian --weight torsion-curvature");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -74,7 +74,7 @@ void add_offset(Program& program) {
       "  phrame offset spline.json --distance 1/2,-1/3 --join mitre --print json\n"
       "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

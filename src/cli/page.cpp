@@ -68,7 +68,7 @@ void add_page(Program& program) {
       "  phrame page curve.json -o curve.html\n"
       "  phrame page curve.json --frames mine.csv -o mine.html\n"
       "  phrame page spline.json --start-normal 0,0,1 -o spline.html");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -106,6 +106,13 @@ void Command::add_argument(const std::string& argument, std::string& value,
   require(argument);
 }
 
+// CLI11 compares with the names of all options, which takes long where it is asked often.
+CLI::Option& Command::named(const std::string& name) const {
+  CLI::Option*& known = options_[name];
+  if (known == nullptr) known = app_.get_option(name);
+  return *known;
+}
+
 OptionFacts& Command::facts_of(const CLI::Option& option) { return facts_[option.get_name()]; }
 
 void Command::add_optional_argument(const std::string& argument, std::string& value,
@@ -161,7 +168,7 @@ void Command::add_choices(const std::string& option, std::vector<std::string>& v
 }
 
 void Command::add_words(const std::string& option, std::vector<std::string> words) {
-  app_.get_option(option);  // throws where there is none
+  named(option);  // throws where there is none
   facts_[option].words = std::move(words);
 }
 
@@ -206,17 +213,17 @@ std::optional<double> Command::time_limit() const {
 
 void Command::describe_output() {
   if (format_ != nullptr && output_ != nullptr)
-    app_.get_option("--output")
-        ->description("write to this file instead of standard output; without " + format_option_ +
-                      "\nits ending chooses the format");
+    named("--output")
+        .description("write to this file instead of standard output; without " + format_option_ +
+                     "\nits ending chooses the format");
 }
 
-void Command::require(const std::string& option) { app_.get_option(option)->required(); }
+void Command::require(const std::string& option) { named(option).required(); }
 
 void Command::only_with(const std::vector<std::string>& options,
                         const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
-    app_.get_option(option)->group("Only with " + alternatives(choices));
+    named(option).group("Only with " + alternatives(choices));
     facts_[option].with = choices;
   }
 }
@@ -224,20 +231,19 @@ void Command::only_with(const std::vector<std::string>& options,
 void Command::not_with(const std::vector<std::string>& options,
                        const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
-    app_.get_option(option);  // throws where there is none
+    named(option);  // throws where there is none
     auto& without = facts_[option].without;
     without.insert(without.end(), choices.begin(), choices.end());
   }
 }
 
-OptionFacts Command::facts(const std::string& option) const {
+const OptionFacts& Command::facts(const std::string& option) const {
+  static const OptionFacts none;
   const auto found = facts_.find(option);
-  return found == facts_.end() ? OptionFacts{} : found->second;
+  return found == facts_.end() ? none : found->second;
 }
 
-bool Command::is_given(const std::string& option) const {
-  return app_.get_option(option)->count() > 0;
-}
+bool Command::is_given(const std::string& option) const { return named(option).count() > 0; }
 
 void Command::refuse(const std::vector<std::string>& options, const std::string& why) const {
   for (const std::string& option : options)
@@ -257,7 +263,7 @@ bool Command::is_chosen(const std::string& choice) const {
 
 bool Command::applies(const std::string& option) const {
   const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
-  const OptionFacts own = facts(option);
+  const OptionFacts& own = facts(option);
   if (!own.with.empty() && std::ranges::none_of(own.with, chosen)) return false;
   if (std::ranges::any_of(own.without, chosen)) return false;
   return std::ranges::none_of(facts_, [&](const auto& other) {
@@ -268,7 +274,7 @@ bool Command::applies(const std::string& option) const {
 }
 
 void Command::give(const std::string& option, const std::string& value) {
-  CLI::Option& taker = *app_.get_option(option);
+  CLI::Option& taker = named(option);
   try {
     taker.add_result(value);
     taker.run_callback();
@@ -297,6 +303,12 @@ void Command::prefer_json() {
 void Command::answer() {
   require_applicable();
   action_();
+}
+
+void Command::forget() {
+  app_.clear();
+  time_limit_.reset();
+  for (const auto& to_default : to_defaults_) to_default();
 }
 
 void Command::refuse_format(const std::string& why) const {
@@ -332,7 +344,7 @@ void Command::choose_format() const {
 
 void Command::check_ending() const {
   if (what_it_writes_.empty() || !is_given("--output")) return;
-  const auto path = app_.get_option("--output")->as<std::string>();
+  const auto path = named("--output").as<std::string>();
   const std::string end = ending(path);
   if (std::find(own_endings_.begin(), own_endings_.end(), end) != own_endings_.end()) return;
   if (means_a_format(end))

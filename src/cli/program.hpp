@@ -96,12 +96,21 @@ class Command {
   void require(const std::string& option);
   void only_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
   void not_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
-  OptionFacts facts(const std::string& option) const;
+  const OptionFacts& facts(const std::string& option) const;
 
-  /// What the command does.
+  /// What the command does with its options, which it keeps: what they are now are their defaults.
+  template <class Options>
+  void does(std::shared_ptr<Options> options, void (*action)(const Command&, const Options&)) {
+    action_ = [this, options, action] { action(*this, *options); };
+    to_defaults_.emplace_back([options, defaults = *options] { *options = defaults; });
+  }
+  template <class Options>
+  void does(std::shared_ptr<Options> options, void (*action)(const Options&)) {
+    action_ = [options, action] { action(*options); };
+    to_defaults_.emplace_back([options, defaults = *options] { *options = defaults; });
+  }
+  /// What a command about the program does.
   void does(std::function<void()> action) { action_ = std::move(action); }
-  /// What it does, which keeps the variables of its options.
-  const std::function<void()>& action() const { return action_; }
   /// Does it. Throws InputError for an option that does not apply, and what the action throws.
   void run();
 
@@ -114,6 +123,8 @@ class Command {
   void prefer_json();
   /// What run() does, in the midst of others: no line says how far it is, nothing ends the program.
   void answer();
+  /// Forgets what was given: the options are their defaults again.
+  void forget();
   /// Throws InputError: "--format: \"npy\" `why`".
   [[noreturn]] void refuse_format(const std::string& why) const;
 
@@ -129,6 +140,7 @@ class Command {
   friend class Program;
   explicit Command(CLI::App& app) : app_(app) {}
 
+  CLI::Option& named(const std::string& name) const;  ///< throws where there is none
   OptionFacts& facts_of(const CLI::Option& option);
   bool is_chosen(const std::string& choice) const;
   void require_applicable() const;
@@ -136,7 +148,8 @@ class Command {
   void check_ending() const;
   void describe_output();
 
-  CLI::App& app_;  ///< within the program's
+  CLI::App& app_;                                        ///< within the program's
+  mutable std::map<std::string, CLI::Option*> options_;  ///< that were asked for
   std::map<std::string, OptionFacts> facts_;
   std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
   std::string notes_;
@@ -149,6 +162,7 @@ class Command {
   std::string what_it_writes_;   ///< where that is in one format
   std::vector<std::string> own_endings_;
   std::function<void()> action_;
+  std::vector<std::function<void()>> to_defaults_;
 };
 
 /// The program: its commands.

@@ -33,7 +33,7 @@ void add_prove(Program& program) {
       "minutes; it needs Coquelicot and CoqInterval (./dev prove installs them).\n"
       "Examples:\n"
       "  phrame prove curve.json --at 1 --digits 30 -o angle.v && coqc angle.v");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "phrame/algebra/time_limit.hpp"
 #include "phrame/cli/exchange.hpp"
@@ -60,32 +61,13 @@ std::optional<std::string> inline_table(const JsonNode& array) {
   return table;
 }
 
-/// With the numbers as they are written.
-std::string json_text(const JsonNode& node) {
-  std::string text;
-  if (node.is(Kind::object)) {
-    for (const std::string& key : node.keys())
-      text += fmt::format("{}{}:{}", text.empty() ? "" : ",", JsonOutput(key).dump(),
-                          json_text(node.at(key)));
-    return "{" + text + "}";
-  }
-  if (node.is(Kind::array)) {
-    for (std::size_t k = 0; k < node.size(); ++k)
-      text += (k == 0 ? "" : ",") + json_text(node.item(k));
-    return "[" + text + "]";
-  }
-  if (node.is(Kind::string)) return JsonOutput(node.text()).dump();
-  return node.is(Kind::null) ? "null" : node.text();
-}
-
-/// What is in the file that the value of a key stands for. Of a curve, the format may be left out.
-std::string contents_at(const Key& key, const JsonNode& node) {
+/// What is in the file that the value of a key stands for.
+Exchange::Content contents_at(const Key& key, const JsonNode& node) {
   if (node.is(Kind::string)) return node.string();
   if (auto table = inline_table(node)) return *std::move(table);
   if (!node.is(Kind::array)) node.require(Kind::object, "an object, or a file as text,");
-  const std::string text = json_text(node);
-  if (key.name != "curve" || !node.is(Kind::object) || node.find("phrame")) return text;
-  return R"({"phrame":"curve/1")" + std::string(text == "{}" ? "" : ",") + text.substr(1);
+  if (key.name == "curve" && node.is(Kind::object)) return node;
+  return json_text(node);
 }
 
 /// What would stand on the command line; no value where nothing would.
@@ -112,6 +94,8 @@ void give_line(Command& command, const std::vector<Key>& keys, const JsonNode& l
                Exchange& exchange) {
   std::vector<std::string_view> known{"id", "question", "note"};
   for (const Key& key : keys) known.push_back(key.name);
+  if (line.find("spline"))
+    line.fail("a spline stands at the key \"curve\", too, not at \"spline\"");
   line.require_known_keys(known);
   for (const Key& key : keys) {
     const auto node = line.find(key.name);
@@ -119,7 +103,7 @@ void give_line(Command& command, const std::vector<Key>& keys, const JsonNode& l
     if (!node && key.option.is_required) line.at(key.name);  // throws
     if (!node) continue;
     if (key.option.takes_file) {
-      exchange.files[node->place()] = contents_at(key, *node);
+      exchange.files.emplace(node->place(), contents_at(key, *node));
       command.give(key.option_name(), node->place());
     } else if (const auto value = value_at(key, *node)) {
       command.give(key.option_name(), *value);
@@ -133,7 +117,7 @@ void give_curve(Command& command, const std::vector<Key>& keys, const JsonNode& 
   if (!curve || line.find("curve")) return;
   if (keys.front().name != "curve")
     throw InputError("/" + keys.front().name, "a path is not what is wanted");
-  exchange.paths.emplace("/curve", *curve);
+  exchange.files.emplace("/curve", *curve);
   command.give(keys.front().option_name(), "/curve");
 }
 
@@ -167,7 +151,7 @@ std::string place_in_line(const std::string& place, const Command& command,
     const bool is_of_all = command.is_given(option) && !line.find(key.name);
     return (is_of_all ? option : "/" + key.name) + place.substr(option.size());
   }
-  for (const auto& [file, text] : exchange.files)
+  for (const auto& [file, content] : exchange.files)
     if (place.starts_with(file + ":/")) {
       const std::string within = place.substr(file.size() + 1);
       return file == "/" ? within : within == "/" ? file : file + within;
@@ -224,22 +208,48 @@ std::string written_answer(Command& command, const Exchange& exchange) {
   return in_json(command, exchange, is_no);
 }
 
-}  // namespace
+/// A command with its options, as keys.
+struct Question {
+  Program program{"phrame", "", ""};
+  Command& command;
+  std::vector<Key> keys;
 
-std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
-                            const CommandTable& table) {
-  const auto asked = line.find("question");
-  const std::string name = asked ? asked->string() : defaults.question;
-  const AddCommand add = choose("/question", name, table);
-  Program program("phrame", "", "");
-  add(program);
-  Command& command = *program.find(name);
-  command.add_time_limit();
-  const std::vector<Key> keys = keys_of(command);
+  Question(const std::string& name, AddCommand add)
+      : command(added(program, name, add)), keys(keys_of(command)) {}
+
+ private:
+  static Command& added(Program& program, const std::string& name, AddCommand add) {
+    add(program);
+    program.find(name)->add_time_limit();
+    return *program.find(name);
+  }
+};
+
+/// That of this thread, which serves all lines: to make one takes longer than most answers.
+Question& question_of(const std::string& name, AddCommand add) {
+  thread_local std::map<AddCommand, Question> questions;
+  return questions.try_emplace(add, name, add).first->second;
+}
+
+/// Where it ends, so do the values of the options.
+class Forgotten {
+ public:
+  explicit Forgotten(Command& command) : command_(command) {}
+  Forgotten(const Forgotten&) = delete;
+  Forgotten& operator=(const Forgotten&) = delete;
+  ~Forgotten() { command_.forget(); }
+
+ private:
+  Command& command_;
+};
+
+std::string answer_to(const JsonNode& line, const QuestionDefaults& defaults, Question& question) {
+  Command& command = question.command;
+  const std::vector<Key>& keys = question.keys;
   Exchange exchange;
   try {
     if (is_bare(keys, line)) {
-      exchange.files["/"] = json_text(line);
+      exchange.files.emplace("/", line);
       command.give("CURVE", "/");
     } else {
       give_curve(command, keys, line, defaults.curve, exchange);
@@ -254,6 +264,20 @@ std::string answer_question(const JsonNode& line, const QuestionDefaults& defaul
     if (error.place().empty()) throw;
     throw InputError(place_in_line(error.place(), command, keys, line, exchange), error.reason());
   }
+}
+
+}  // namespace
+
+std::string answer_question(const JsonNode& line, const QuestionDefaults& defaults,
+                            const CommandTable& table) {
+  line.require(Kind::object, "an object");
+  if (const auto id = line.find("id"); id && !is_atom(*id))
+    id->fail("an id is a string or a number");
+  const auto asked = line.find("question");
+  const std::string& name = asked ? asked->string() : defaults.question;
+  Question& question = question_of(name, choose("/question", name, table));
+  const Forgotten forgotten(question.command);
+  return answer_to(line, defaults, question);
 }
 
 }  // namespace phrame::cli

@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/option_list.hpp"
 #include "phrame/io/read/json_node.hpp"
 
 namespace phrame::inline v0::cli {

@@ -281,7 +281,7 @@ void add_sweep(Program& program) {
       "  phrame sweep curve.json --profile outline.svg --tolerance 0.001 -o body.obj\n"
       "  phrame sweep curve.json --profile circle:1/10 --exact -o pipe.json\n"
       "  phrame sweep curve.json --profile polygon:6,1 --scale 1-t/2 --twist 90deg -o horn.ply");
-  command.does([&command, options] { run(command, *options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -51,7 +51,7 @@ void add_totals(Program& program) {
       "  phrame totals curve.json --digits 30\n"
       "  phrame totals ring.json --linked-with other-ring.json\n"
       "  phrame totals curve.json --print json -o totals.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -41,14 +41,14 @@ Statement check_curve(const Certificate& c, const std::string& path, const Curve
   return {"curve of " + path, objection};
 }
 
-void run(VerifyOptions& options) {
-  options.limits.is_limited = !options.is_unlimited;
+void run(const VerifyOptions& options) {
+  CertificateLimits limits = options.limits;
+  limits.is_limited = !options.is_unlimited;
   const std::string text = read_file(options.path);
-  const auto [name, certificate] = at_place(name_of_file(options.path), ":",
-                                            [&] { return read_certificate(text, options.limits); });
+  const auto [name, certificate] =
+      at_place(name_of_file(options.path), ":", [&] { return read_certificate(text, limits); });
   std::vector<Statement> statements;
-  if (options.curve)
-    statements.push_back(check_curve(certificate, *options.curve, options.limits.curve));
+  if (options.curve) statements.push_back(check_curve(certificate, *options.curve, limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
   constexpr std::size_t longest_name = 200;
   options.length.write(
@@ -81,7 +81,7 @@ void add_verify(Program& program) {
       "Examples:\n"
       "  phrame verify angle.cert\n"
       "  phrame verify angle.cert --curve curve.json");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

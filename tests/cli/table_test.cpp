@@ -12,18 +12,24 @@ using namespace phrame::test;
 
 namespace {
 
+struct Ink {
+  std::string colour = "red";
+  bool is_bright = false;
+};
+
+void write(const Ink& ink) {
+  cli::write_output("-", Json{{"ink", ink.colour}, {"bright", ink.is_bright}}.dump());
+}
+
 /// The command totals with an option more, which is all that it then tells of.
 void add_totals_with_more(cli::Program& program) {
   cli::add_totals(program);
   cli::Command& command = *program.find("totals");
-  const auto colour = std::make_shared<std::string>("red");
-  const auto is_bright = std::make_shared<bool>(false);
-  command.add_choice("--ink-colour", *colour, {"red", "blue"}, "what the answer is written in");
-  command.add_flag("--bright-ink", *is_bright, "more of it");
+  const auto ink = std::make_shared<Ink>();
+  command.add_choice("--ink-colour", ink->colour, {"red", "blue"}, "what the answer is written in");
+  command.add_flag("--bright-ink", ink->is_bright, "more of it");
   command.not_with({"--bright-ink"}, {"--ink-colour blue"});
-  command.does([colour, is_bright, other_options = command.action()] {
-    cli::write_output("-", Json{{"ink", *colour}, {"bright", *is_bright}}.dump());
-  });
+  command.does(ink, write);
 }
 
 const cli::CommandTable with_more{{"totals", add_totals_with_more}};

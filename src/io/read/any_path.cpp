@@ -73,10 +73,9 @@ NamedPath path_of_points(PointCurve read, const CurveLimits& limits) {
   return path;
 }
 
-NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
-                         const FileReading& reading) {
-  const JsonValue document = parse_json_file(text, "curve file");
-  const JsonNode node(document);
+/// JSON that other programs write; no value of another.
+std::optional<NamedPath> read_others_json(const JsonNode& node, const CurveLimits& limits,
+                                          const FileReading& reading) {
   reading.refuse_skipping("no table");
   if (is_three_scene(node)) {
     refuse_long_numbers(node);
@@ -94,8 +93,37 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
     return path_of(name ? name->string() : "", read_geomdl(node, limits), limits.gap);
   }
   if (is_three_file(node)) return path_of("", read_three(node, limits), limits.gap);
+  return std::nullopt;
+}
+
+NamedPath read_json_path(const JsonNode& node, const CurveLimits& limits) {
+  const std::string format = format_at(node, "curve/1");
+  refuse_long_numbers(node);
+  if (format == "spline/1") {
+    NamedPath path = path_of(read_name(node), read_spline_segments(node, limits), limits.gap);
+    path.frame = read_frame_through(node, path.path.segments().size());
+    return path;
+  }
+  if (format == "bspline/1" || format == "nurbs/1")
+    return path_of(read_name(node), read_bspline(node, limits), limits.gap);
+  if (format == "points/1") return path_of_points(read_point_curve(node), limits);
+  if (format == "poses/1")
+    node.at("phrame").fail("these are poses: phrame construct makes a curve of them");
+  if (format != "curve/1")
+    node.at("phrame").fail(
+        fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
+                    "\"points/1\", not \"{}\"",
+                    abbreviated(format)));
+  return path_of(read_name(node), {read_curve_segment(node, limits)}, limits.gap);
+}
+
+NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
+                         const FileReading& reading) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  const JsonNode node(document);
+  if (auto path = read_others_json(node, limits, reading)) return *std::move(path);
   format_of(node);
-  return read_any_path(node, limits);
+  return read_json_path(node, limits);
 }
 
 /// Numbers, or names of columns of which one is that of x, in the first line that says something.
@@ -135,25 +163,10 @@ bool is_scipy_list(std::string_view text) {
 
 }  // namespace
 
-NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits) {
-  const std::string format = format_at(node, "curve/1");
-  refuse_long_numbers(node);
-  if (format == "spline/1") {
-    NamedPath path = path_of(read_name(node), read_spline_segments(node, limits), limits.gap);
-    path.frame = read_frame_through(node, path.path.segments().size());
-    return path;
-  }
-  if (format == "bspline/1" || format == "nurbs/1")
-    return path_of(read_name(node), read_bspline(node, limits), limits.gap);
-  if (format == "points/1") return path_of_points(read_point_curve(node), limits);
-  if (format == "poses/1")
-    node.at("phrame").fail("these are poses: phrame construct makes a curve of them");
-  if (format != "curve/1")
-    node.at("phrame").fail(
-        fmt::format("the format is \"curve/1\", \"spline/1\", \"bspline/1\", \"nurbs/1\" or "
-                    "\"points/1\", not \"{}\"",
-                    abbreviated(format)));
-  return path_of(read_name(node), {read_curve_segment(node, limits)}, limits.gap);
+NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits,
+                        const FileReading& reading) {
+  if (auto path = read_others_json(node, limits, reading)) return *std::move(path);
+  return read_json_path(node, limits);
 }
 
 NamedPath read_any_path(std::string_view text, const CurveLimits& limits,

@@ -18,8 +18,8 @@ namespace phrame::inline v0 {
 /// 3" or "row 3".
 PHRAME_API NamedPath read_any_path(std::string_view text, const CurveLimits& limits = {},
                                    const FileReading& reading = {});
-/// The same as a part of a JSON document, in the formats of phrame, where a curve may do without
-/// "phrame": "curve/1".
-PHRAME_API NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {});
+/// The same of a JSON document or a part of it, where a curve may do without "phrame": "curve/1".
+PHRAME_API NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {},
+                                   const FileReading& reading = {});
 
 }  // namespace phrame

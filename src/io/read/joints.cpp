@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -17,7 +18,8 @@ namespace {
 
 /// No value of formulas.
 std::optional<Vector<Rational>> place_at(const GivenSegment& segment, const Rational& t) {
-  if (const auto* curve = std::get_if<Curve>(&segment.form)) return evaluate(position(*curve), t);
+  if (const auto* curve = std::get_if<Curve>(&segment.form))
+    return t == 0 ? curve->start() : evaluate(position(*curve), t);
   if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return point(*curve, t);
   return std::nullopt;
 }
@@ -32,9 +34,14 @@ RationalCurve moved(const RationalCurve& curve, const Vector<Rational>& way,
 
 /// Its ends and its middle; none of formulas.
 std::vector<Vector<Rational>> places_on(const GivenSegment& segment) {
+  const std::array<Rational, 3> ts{0, Rational(1, 2), 1};
   std::vector<Vector<Rational>> places;
-  for (const Rational& t : {Rational(0), Rational(1, 2), Rational(1)})
-    if (const auto place = place_at(segment, t)) places.push_back(*place);
+  if (const auto* curve = std::get_if<Curve>(&segment.form)) {
+    const Vector<Polynomial> r = position(*curve);
+    for (const Rational& t : ts) places.push_back(evaluate(r, t));
+  } else if (const auto* rational = std::get_if<RationalCurve>(&segment.form)) {
+    for (const Rational& t : ts) places.push_back(point(*rational, t));
+  }
   return places;
 }
 
@@ -139,6 +146,8 @@ std::string open_ends(const Path& path, const std::optional<Rational>& most) {
 }
 
 std::string close_gaps(std::vector<GivenSegment>& segments, const std::optional<Rational>& most) {
+  // One PH curve has no joint, and its end is not moved.
+  if (segments.size() == 1 && std::holds_alternative<Curve>(segments.front().form)) return "";
   Gaps gaps(segments, most);
   gaps.close_joints();
   gaps.close_ends();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/number.hpp"
@@ -65,18 +66,6 @@ bool JsonNode::boolean() const {
   return value_->text == "true";
 }
 
-std::optional<Rational> JsonNode::long_number() const {
-  const std::string& text = value_->text;
-  constexpr std::size_t short_text = 1000;  // without an exponent
-  if (text.size() <= short_text && text.find_first_of("eE") == std::string::npos)
-    return std::nullopt;
-  try {
-    return parse_rational(text);
-  } catch (const InputError&) {
-    return std::nullopt;  // a name, perhaps; else it is complained of where it is read
-  }
-}
-
 Rational JsonNode::number() const {
   if (value_->kind != Kind::number && value_->kind != Kind::string)
     fail(fmt::format("a number is wanted, not {}", description(*value_)));
@@ -87,16 +76,57 @@ Rational JsonNode::number() const {
   }
 }
 
+std::string json_text(const JsonNode& node) {
+  const JsonValue& value = node.value();
+  std::string text;
+  switch (value.kind) {
+    case JsonNode::Kind::object:
+      for (const std::string& key : value.keys)
+        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", nlohmann::json(key).dump(),
+                            json_text(node.at(key)));
+      return "{" + text + "}";
+    case JsonNode::Kind::array:
+      for (std::size_t k = 0; k < node.size(); ++k)
+        text += (k == 0 ? "" : ",") + json_text(node.item(k));
+      return "[" + text + "]";
+    case JsonNode::Kind::string:
+      return nlohmann::json(value.text).dump();
+    case JsonNode::Kind::null:
+      return "null";
+    default:
+      return value.text;
+  }
+}
+
+namespace {
+
+/// By the texts in it.
+bool may_have_many_bits(const JsonValue& value) {
+  constexpr std::size_t short_text = 1000;  // without an exponent
+  const auto has = [&text = value.text](std::string_view any_of) {
+    return text.find_first_of(any_of) != std::string::npos;
+  };
+  return value.text.size() > short_text || (has("eE") && has("0123456789")) ||
+         std::ranges::any_of(value.items, may_have_many_bits);
+}
+
+}  // namespace
+
 void refuse_long_numbers(const JsonNode& node) {
-  if (node.is(JsonNode::Kind::object))
-    for (const std::string& key : node.keys()) refuse_long_numbers(node.at(key));
+  const JsonValue& value = node.value();
+  if (!may_have_many_bits(value)) return;
+  for (const std::string& key : value.keys) refuse_long_numbers(node.at(key));
   if (node.is(JsonNode::Kind::array))
     for (std::size_t k = 0; k < node.size(); ++k) refuse_long_numbers(node.item(k));
   if (!node.is(JsonNode::Kind::number) && !node.is(JsonNode::Kind::string)) return;
-  const auto number = node.long_number();
-  if (!number) return;
+  Rational number;
   try {
-    refuse_long_number(*number, node.text());
+    number = parse_rational(value.text);
+  } catch (const InputError&) {
+    return;  // a name, perhaps; else it is complained of where it is read
+  }
+  try {
+    refuse_long_number(number, value.text);
   } catch (const InputError& error) {
     node.fail(error.reason());
   }

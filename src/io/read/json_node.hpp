@@ -39,8 +39,8 @@ class JsonNode {
   bool boolean() const;
   /// Of a number, or of a string that holds one; exact.
   Rational number() const;
-  /// The number that is there, if it is one that may have many bits by its text.
-  std::optional<Rational> long_number() const;
+  /// Its value, without the place.
+  const JsonValue& value() const { return *value_; }
 
  private:
   JsonNode(const JsonValue& value, std::string pointer)
@@ -49,6 +49,9 @@ class JsonNode {
   const JsonValue* value_;
   std::string pointer_;
 };
+
+/// It on one line without blanks, numbers as they are written.
+std::string json_text(const JsonNode& node);
 
 /// Throws InputError at the first number in it that refuse_long_number() refuses.
 void refuse_long_numbers(const JsonNode& node);

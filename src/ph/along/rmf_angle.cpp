@@ -132,7 +132,9 @@ RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianP
   }
   const AlgebraicPart part = algebraic_part(to_erf);
   parts.without_logarithms = part.F;
-  evaluator_ = Evaluator(part.F, to_erf, simple_fractions(part.rest));
+  // Its denominator is factored only where it is asked whether logarithms cancel.
+  const SimpleFraction of_logs{part.rest.numerator(), part.rest.denominator()};
+  evaluator_ = Evaluator(part.F, to_erf, {of_logs});
   parts_ = std::make_shared<const Parts>(std::move(parts));
 }
 
