@@ -1,5 +1,6 @@
-# cmake -D PROGRAM=… -D DIRECTORY=… -P documents.cmake
+# cmake -D PROGRAM=… -D DIRECTORY=… -D REFERENCE=… -P documents.cmake
 # Writes what the program says of itself: manual pages, completion for the shells, and the schema of a line of a batch.
+# Beside them is a link to the reference collection.
 cmake_minimum_required(VERSION 3.25)
 
 function(write file)
@@ -22,3 +23,4 @@ write(bash-completion/completions/phrame completion bash)
 write(zsh/site-functions/_phrame completion zsh)
 write(fish/vendor_completions.d/phrame.fish completion fish)
 write(phrame/schema/line.json help --schema)
+file(CREATE_LINK ${REFERENCE} ${DIRECTORY}/phrame/reference SYMBOLIC)  # where the program looks for it

@@ -193,6 +193,31 @@ class Segment:
         return [a.f for a in x], [a.d for a in x], [a.dd for a in x]
 
 
+    def offset(self, d, cusps, ts):
+        """Of a plane curve, at the distance d to the right: its length, given the t of its cusps to 16 digits, its points at ts,
+        and the number of changes of the sign of 1 + d kappa between many t."""
+        def growth(t):
+            _, (x, y, _), (xx, yy, _) = self.at(t)
+            square = x * x + y * y
+            return square.sqrt() + number(d) * (x * yy - y * xx) / square
+
+        def zero(t):
+            a, b = t - arb(10) ** -16, t + arb(10) ** -16
+            assert growth(a) * growth(b) < 0
+            for _ in range(3):  # the secant method
+                a, b = b, middle(b - growth(b) * (b - a) / (growth(b) - growth(a)))
+            return b
+        stops = [arb(0), *(zero(number(t)) for t in cusps), arb(1)]
+        length = sum((abs(integral(lambda t: [growth(t)], a, b)[0]) for a, b in zip(stops, stops[1:])), arb(0))
+
+        def point(t):
+            (x, y, z), (dx, dy, _), _ = self.at(number(t))
+            k = number(d) / (dx * dx + dy * dy).sqrt()
+            return x + k * dy, y - k * dx, z
+        signs = [growth(arb(k) / 1000) > 0 for k in range(1001)]
+        return length, [point(t) for t in ts], sum(a != b for a, b in zip(signs, signs[1:]))
+
+
 def dot(a, b):
     return sum((x * y for x, y in zip(a, b)), arb(0))
 
@@ -266,9 +291,10 @@ class Path:
         one = [arb(1), arb(0), arb(0)]
         return carried([arb(0), arb(1), arb(0)], one, e1)
 
-    def frames(self, ts):
-        """[(r, e1, f2, f3)] at ascending t and the length of the path; t = 0 … number of segments; behind a corner."""
-        f2, length, found, at = self.first_frame(), arb(0), [], 0
+    def frames(self, ts, first=None):
+        """[(r, e1, f2, f3, length up to there)] at ascending t, the length of the path and f2 at its end; t = 0 … number of
+        segments; behind a corner. f2(0) is the first, or that of the least rotation."""
+        f2, length, found, at = first or self.first_frame(), arb(0), [], 0
         for k, segment in enumerate(self.segments):
             if k:
                 f2 = carried(f2, unit(self.segments[k - 1].at(arb(1))[1]), unit(segment.at(arb(0))[1]))
@@ -280,10 +306,21 @@ class Path:
                 t, length, at = to, length + more, at + 1
                 r, d, _ = segment.at(t)
                 e1 = unit(d)
-                found.append((r, e1, f2, cross(e1, f2)))
+                found.append((r, e1, f2, cross(e1, f2), length))
             f2, more = along(segment, f2, t, arb(1))
             length += more
         return found, length, f2
+
+    def minimal_twist(self, start, end, ts):
+        """The angle in (-pi, pi] by which the frame turns about e1 from the vector start, projected, to end, against the
+        rotation-minimizing one, in proportion to arc length, and [(f2, f3)] at ts."""
+        e1 = unit(self.segments[0].at(arb(0))[1])
+        first = unit(plus(start, times(-dot(start, e1), e1)))
+        found, length, last = self.frames(ts, first)
+        e1 = unit(self.segments[-1].at(arb(1))[1])
+        turn = middle(arb.atan2(dot(end, cross(e1, last)), dot(end, last)))
+        frames = [turned(f2, e1, turn * s / length) for _, e1, f2, _, s in found]
+        return turn, [(f2, cross(e1, f2)) for f2, (_, e1, _, _, _) in zip(frames, found)]
 
     def holonomy(self):
         """The angle in (-pi, pi] by which f2 has turned about e1 when it comes back to the start."""

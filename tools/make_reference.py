@@ -7,6 +7,7 @@ tools/foreign_frames.py, which share nothing; a value on which they do not agree
 With --check the files stay, and their values are computed anew by the foreign way alone, of every Nth curve.
 """
 import argparse
+import decimal
 import json
 import os
 import random
@@ -33,7 +34,11 @@ def some(n, most=9, below=1):
 
 
 def ph(m, most=9, below=1, **more):
-    return {"phrame": "curve/1", "basis": "power", "preimage": {key: some(m + 1, most, below) for key in "uvpq"}, **more}
+    """e1(0) is not -x, where the rule of the first frame jumps."""
+    while True:
+        preimage = {key: some(m + 1, most, below) for key in "uvpq"}
+        if preimage["u"][0] != "0" or preimage["v"][0] != "0":
+            return {"phrame": "curve/1", "basis": "power", "preimage": preimage, **more}
 
 
 def quaternion(**parts):
@@ -100,45 +105,178 @@ def groups():
     yield "corners", [spline(corners=True) for _ in range(2)] + [polyline(n) for n in (3, 5)]
 
 
+# What came after the first edition has a CHANCE of its own in each group, so that no curve changes when one is added.
+
+def turned(curve, a, b, c, d):
+    """U A for the quaternion U = a + bi + cj + dk: the curve turned and scaled."""
+    u, v, p, q = (curve["preimage"][key] for key in "uvpq")
+
+    def combined(*factors):
+        n = max(len(x) for x in (u, v, p, q))
+        rows = [[Fraction(x) for x in list(part) + [0] * (n - len(part))] for part in (u, v, p, q)]
+        return [sum((f * row[k] for f, row in zip(factors, rows)), Fraction(0)) for k in range(n)]
+    return quaternion(u=combined(a, -b, -c, -d), v=combined(b, a, -d, c), p=combined(c, d, a, -b), q=combined(d, -c, b, a))
+
+
+def torus_knot(p, q, height):
+    return formula("(3+cos(%d*s))*cos(%d*s)" % (q, p), "(3+cos(%d*s))*sin(%d*s)" % (q, p), "sin(%d*s)*%s" % (q, height), "2*pi")
+
+
+def with_twist(curve):
+    """From a vector to another: the frame of minimal twist."""
+    curve["expected"] = {"minimal_twist": {key: some(3, 9) for key in ("from_vector", "to_vector")}}
+    return curve
+
+
+def offset_curve(m, distance, below=2):
+    u = some(m + 1, 9, below)
+    u[0] = str(abs(Fraction(u[0])) + 1)
+    return {**quaternion(u=u, v=[0], p=[0], q=some(m + 1, 9, below)), "expected": {"offset": {"distance": distance}}}
+
+
+def near_tie(curve, what, digits, t):
+    """At a t of 40 digits near the one given a value is 10^-35 or so from a tie of decimals with 17 digits, or of doubles.
+
+    what is "theta_erf" or the number of a component of a frame; f2x is 6."""
+    path = foreign.Path(curve)
+
+    def value(x):
+        if what == "theta_erf":
+            return foreign.angle_to_erf(path.segments[0], x)
+        (row,), _, _ = path.frames([x])
+        return [c for vector in row[:4] for c in vector][what]
+    goal, a = None, Fraction(t)
+    b = a + Fraction(1, 10 ** 6)
+    for _ in range(9):  # the secant method
+        x, y = fraction(value(a)), fraction(value(b))
+        if goal is None:
+            ulp = ulp_of(x, digits)
+            goal = (x // ulp + Fraction(1, 2)) * ulp
+        if abs(y - goal) < Fraction(1, 10 ** 39) or x == y:
+            break
+        a, b = b, Fraction(round((b - (y - goal) * (b - a) / (y - x)) * 10 ** 40), 10 ** 40)
+    name = what if isinstance(what, str) else COMPONENTS[what]
+    curve["expected"] = {"at": ["0", str(b)], "near_tie": {"value": name, "of": "decimals" if digits == 10 else "doubles"}}
+    return curve
+
+
+def fraction(x):
+    """Of the middle of an arb."""
+    mantissa, exponent = foreign.middle(x).man_exp()
+    return int(mantissa) * Fraction(2) ** int(exponent)
+
+
+def ulp_of(x, base):
+    """A unit in the last place of a double, or of 17 decimals."""
+    digits, k = (53, 0) if base == 2 else (17, 0)
+    while abs(x) >= Fraction(base) ** k:
+        k += 1
+    while abs(x) < Fraction(base) ** (k - 1):
+        k -= 1
+    return Fraction(base) ** (k - digits)
+
+
+COMPONENTS = [v + axis for v in ("r", "e1", "f2", "f3") for axis in "xyz"]
+
+
+def more_groups(only=None):
+    def begin(group):
+        CHANCE.seed("2 " + group)
+        return group
+    yield begin("tame"), [ph(m, below=b) for m in (1, 2, 3, 4) for b in (2, 5, 9, 11)]
+    yield begin("high-degree"), [ph(m, below=b) for m, b in ((5, 3), (7, 2), (9, 4), (10, 3), (12, 7))]
+    yield begin("near-cusp"), [near_cusp(Fraction(1, 10 ** k), c) for k in (1, 2, 3) for c in (Fraction(0), Fraction(1, 2), Fraction(5, 7))]
+    yield begin("turning-multiplier"), [ph(m, below=3, multiplier=f) for m, f in
+                                        ((1, ["1", "1/3"]), (2, ["2", "-1"]), (1, ["1", "0", "1"]), (3, ["-1", "1/2", "-1"]), (2, ["1/3", "1/2", "1/7"]))]
+    yield begin("long-numbers"), [ph(m, 10 ** k, 10 ** (k - 1)) for m, k in ((1, 20), (2, 30), (3, 40), (2, 100))]
+    yield begin("inflections"), [quaternion(u=[1], v=[0], p=[0, Fraction(1, k)], q=[0, 0, 1, -1]) for k in (2, 5, 11)] + [
+        {"phrame": "curve/1", "control_points": [["0", "0", "0"], ["1", y, "0"], ["2", "-2", z], ["3", "1/7", "1"]]}
+        for y, z in (("1", "1/5"), ("2", "1/20"), ("3", "1/100"))]
+    yield begin("plane"), [quaternion(u=some(3), v=[0], p=[0], q=some(3)) for _ in range(3)] + [
+        {"phrame": "curve/1", "control_points": [[x, y, "0"] for x, y, _ in points(n)]} for n in (4, 5)]
+    rational_frame = quaternion(u=[1, 0, -6], v=[0, 4, 3], p=[0, -2, -12], q=[0, 6, -4])
+    yield begin("rational-frames"), [turned(rational_frame, *u) for u in ((1, 2, 0, 1), (2, -1, 1, 3), (1, 1, 1, 1), (3, 0, -2, 1))]
+    yield begin("bezier"), [{"phrame": "curve/1", "control_points": points(n, b)} for n in (4, 5, 6) for b in (3, 5, 11)]
+    yield begin("rational"), [{"phrame": "curve/1", "control_points": points(n), "weights": [str(Fraction(CHANCE.randint(3, 12), 7)) for _ in range(n)]}
+                              for n in (3, 3, 4, 4, 5, 5, 6)]
+    yield begin("formulas"), [formula("%d*cos(s)" % a, "%d*sin(s)" % b, "%d*s/7" % c, end)
+                              for a, b, c, end in ((2, 2, 1, "6"), (1, 3, 2, "5"), (5, 1, 3, "4"), (1, 1, 7, "9"))] + [
+        formula("s", "sin(%d*s)/3" % k, "cos(s)/%d" % (k + 1), "3") for k in (2, 3, 5)] + [
+        formula("exp(s/%d)*cos(s)" % k, "exp(s/%d)*sin(s)" % k, "exp(s/%d)/2" % k, "4") for k in (3, 5)] + [
+        formula("s", "s^%d/3" % k, "sqrt(%d+s^2)" % k, "2") for k in (2, 3, 4)]
+    yield begin("closed"), [torus_knot(p, q, h) for p, q, h in ((1, 2, "1/2"), (1, 3, "1"), (2, 5, "1"), (3, 2, "1/3"), (3, 4, "1/2"))] + [
+        formula("%d*cos(s)" % a, "%d*sin(s)" % b, "cos(%d*s)/%d" % (k, c), "2*pi") for a, b, c, k in ((2, 3, 4, 2), (1, 1, 3, 3), (3, 2, 5, 4), (1, 2, 2, 3))]
+    yield begin("splines"), [spline(corners=False) for _ in range(8)]
+    yield begin("corners"), [spline(corners=True) for _ in range(5)] + [polyline(n) for n in (3, 4, 6, 7)]
+    yield begin("minimal-twist"), [with_twist(ph(m, below=b)) for m in (1, 2, 3) for b in (1, 4, 7)] + [
+        with_twist({"phrame": "curve/1", "control_points": points(n)}) for n in (4, 4, 5, 6)] + [
+        with_twist(formula("2*cos(s)", "2*sin(s)", "%d*s/5" % k, "4")) for k in (1, 3)]
+    yield begin("plane-offsets"), [offset_curve(m, d) for m in (1, 2, 3) for d in ("1/7", "-1/3", "2", "-2", "7")]
+    if only in (None, "hard-rounding"):  # which takes a while
+        yield begin("hard-rounding"), [near_tie(ph(m, below=b), what, digits, t) for m, b, t in ((1, 2, "1/3"), (2, 3, "2/3"), (3, 5, "3/5"))
+                                       for what in ("theta_erf", 6, 10) for digits in (2, 10)] + [
+            near_tie({"phrame": "curve/1", "control_points": points(4)}, what, digits, "2/5") for what in (8, 9) for digits in (2, 10)]
+
+
 def rounded(value):
     """With the nearest double in place of each number, exactly."""
     if isinstance(value, dict):
-        return {key: x if key in ("phrame", "basis", "expressions", "variable", "from", "to") else rounded(x) for key, x in value.items()}
+        return {key: x if key in ("phrame", "basis", "expressions", "variable", "from", "to", "expected") else rounded(x)
+                for key, x in value.items()}
     return [rounded(x) for x in value] if isinstance(value, list) else str(Fraction(float(Fraction(value))))
 
 
-def named():
-    for group, curves in groups():
-        for k, curve in enumerate(curves):
-            name, note = "%s-%02d" % (group, k + 1), {"family": group}
+def named(only=None):
+    """(group, curve); where something is to be asked beside the usual, that is in its "expected"."""
+    last = {}
+    for group, curves in [*groups(), *more_groups(only)]:
+        for curve in curves:
+            last[group] = last.get(group, 0) + 1
+            name, note = "%s-%02d" % (group, last[group]), {"family": group}
             yield group, {"phrame": curve["phrame"], "name": name, **note, **curve}
             near = rounded(curve)
-            if near != curve and not (group in ("splines", "corners")):
+            if near != curve and group not in ("splines", "corners", "hard-rounding"):
                 yield group, {"phrame": curve["phrame"], "name": name + "-doubles", **note, "note": "the numbers of %s as doubles" % name, **near}
 
 
 def parameters(curve):
+    if "at" in curve.get("expected", {}):
+        return [Fraction(t) for t in curve["expected"]["at"]]
     n = len(curve.get("segments", [1]))
     return [Fraction(0), Fraction(n, 3), Fraction(n, 2), Fraction(n)]
 
 
+def questions(curve):
+    """What phrame is asked."""
+    at = [str(t) for t in parameters(curve)]
+    yield "frames", {"question": "frames", "at": at}
+    yield "totals", {"question": "totals"}
+    if "preimage" in curve:
+        yield "angle", {"question": "angle", "at": at, "values_only": True}
+    wanted = curve.get("expected", {})
+    if "minimal_twist" in wanted:
+        ends = {key: wanted["minimal_twist"][key] for key in ("from_vector", "to_vector")}
+        yield "twist_frames", {"question": "frames", "frame": ["mtf-exact"], "at": at, **ends}
+        yield "twist", {"question": "mtf", **ends}
+    if "offset" in wanted:
+        yield "offset", {"question": "offset", "distance": wanted["offset"]["distance"]}
+
+
 def asked(curves):
-    """What phrame answers: {name: (frames, totals, angles)}."""
+    """What phrame answers: {name: {what: answer}}."""
     lines = []
     for _, curve in curves:
-        at = [str(t) for t in parameters(curve)]
-        for question, more in (("frames", {"at": at}), ("totals", {}), ("angle", {"at": at, "values_only": True})):
-            if question != "angle" or "preimage" in curve:
-                lines.append({"id": "%s %s" % (question, curve["name"]), "question": question, "curve": curve, "digits": DIGITS, **more})
+        for what, question in questions(curve):
+            lines.append({"id": "%s %s" % (what, curve["name"]), "curve": curve, "digits": DIGITS, **question})
     run = subprocess.run([os.environ["PHRAME_PROGRAM"], "batch", "--threads", "1"], input="".join(json.dumps(x) + "\n" for x in lines),
                          capture_output=True, text=True)
     answers = {}
     for line in run.stdout.splitlines():
         answer = json.loads(line)
-        question, name = answer["id"].split()
+        what, name = answer["id"].split()
         if "error" in answer:
             sys.exit("%s: %s" % (answer["id"], answer["error"]))
-        answers.setdefault(name, {})[question] = answer
+        answers.setdefault(name, {})[what] = answer
     return answers
 
 
@@ -146,14 +284,52 @@ def value_of(x):
     return x["value"] if isinstance(x, dict) else x
 
 
+def point_of(curve, t):
+    """Of a rational Bezier curve, or x, y, z over w: exactly."""
+    def at(c):
+        if "weights" not in curve:
+            return sum((Fraction(x) * t ** k for k, x in enumerate(c)), Fraction(0))
+        c = [Fraction(x) for x in c]
+        while len(c) > 1:
+            c = [a + (b - a) * t for a, b in zip(c, c[1:])]
+        return c[0]
+    if "weights" in curve:
+        w = [Fraction(x) for x in curve["weights"]]
+        lists = [[x * Fraction(p[k]) for x, p in zip(w, curve["control_points"])] for k in range(3)]
+    else:
+        lists, w = [curve["position"].get(key, ["0"]) for key in "xyz"], curve["position"].get("w", ["1"])
+    return [at(c) / at(w) for c in lists]
+
+
+def decimal_of(x):
+    with decimal.localcontext() as context:
+        context.prec = DIGITS
+        return str(decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator))
+
+
+def offset_of(curve, answer):
+    (offset,) = answer["offsets"]
+    (path,) = offset["paths"]
+    return {"distance": offset["distance"], "points": [[decimal_of(x) for x in point_of(path, t)] for t in parameters(curve)],
+            "length": value_of(offset["length"]), "cusps": [value_of(cusp["t"]) for cusp in offset["cusps"]]}
+
+
 def expected(curve, answers):
-    total = answers["totals"]
+    total, wanted = answers["totals"], curve.get("expected", {})
     out = {"at": [str(t) for t in parameters(curve)], "frames": [row[1:] for row in answers["frames"]["rows"]]}
     if "angle" in answers:
         out["theta_erf"] = [v["theta"] for v in answers["angle"]["values"]]
     out["length"] = value_of(total["length"])
     if total.get("holonomy"):
         out["holonomy"] = value_of(total["holonomy"])
+    if "twist" in answers:
+        out["minimal_twist"] = {**{key: wanted["minimal_twist"][key] for key in ("from_vector", "to_vector")},
+                                "twist": value_of(answers["twist"]["twist"]["minimal"]),
+                                "frames": [row[7:] for row in answers["twist_frames"]["rows"]]}
+    if "offset" in answers:
+        out["offset"] = offset_of(curve, answers["offset"])
+    if "near_tie" in wanted:
+        out["near_tie"] = wanted["near_tie"]
     return out
 
 
@@ -162,7 +338,7 @@ def disagreements(curve):
     path, want = foreign.Path(curve), curve["expected"]
     found, length, _ = path.frames(parameters(curve))
     pairs = [("length", want["length"], length)]
-    for t, row, (r, e1, f2, f3) in zip(want["at"], want["frames"], found):
+    for t, row, (r, e1, f2, f3, _) in zip(want["at"], want["frames"], found):
         pairs += [("frame at %s, %d" % (t, k), x, y) for k, (x, y) in enumerate(zip(row, [*r, *e1, *f2, *f3]))]
     if len(want["frames"]) != len(found):
         yield "%d frames" % len(found)
@@ -170,6 +346,21 @@ def disagreements(curve):
         pairs += [("theta at %s" % t, x, foreign.angle_to_erf(path.segments[0], Fraction(t))) for t, x in zip(want["at"], want["theta_erf"])]
     if "holonomy" in want:
         pairs.append(("holonomy", want["holonomy"], path.holonomy()))
+    if "minimal_twist" in want:
+        twist = want["minimal_twist"]
+        ends = [[foreign.number(x) for x in twist[key]] for key in ("from_vector", "to_vector")]
+        turn, frames = path.minimal_twist(*ends, parameters(curve))
+        pairs.append(("twist", twist["twist"], turn))
+        for t, row, (f2, f3) in zip(want["at"], twist["frames"], frames):
+            pairs += [("frame of minimal twist at %s, %d" % (t, k), x, y) for k, (x, y) in enumerate(zip(row, [*f2, *f3]))]
+    if "offset" in want:
+        offset = want["offset"]
+        length, there, count = path.segments[0].offset(Fraction(offset["distance"]), [Fraction(t) for t in offset["cusps"]], parameters(curve))
+        pairs.append(("length of the offset", offset["length"], length))
+        for t, row, point in zip(want["at"], offset["points"], there):
+            pairs += [("offset at %s, %d" % (t, k), x, y) for k, (x, y) in enumerate(zip(row, point))]
+        if count != len(offset["cusps"]):
+            yield "%d cusps of the offset" % count
     for what, text, x in pairs:
         y = foreign.number(text)
         most = foreign.number(AGREEMENT) * max(1.0, float(abs(y).mid()))
@@ -186,7 +377,7 @@ def main():
     if options.check:
         curves = [json.loads(line) for file in sorted(FOLDER.glob("*.jsonl")) for line in file.read_text().splitlines()][::options.every]
     else:
-        pairs = [pair for pair in named() if options.group in (None, pair[0])]
+        pairs = [pair for pair in named(options.group) if options.group in (None, pair[0])]
         answers = asked(pairs)
         curves = [{**curve, "expected": expected(curve, answers[curve["name"]])} for _, curve in pairs]
     wrong = []

@@ -39,6 +39,7 @@ from ._phrame import (
     sweep,
 )
 from ._phrame import version as __version__
+from ._reference import ReferenceCurve, reference
 from ._threads import set_threads, set_time_limit
 
 numbers.Real.register(Real)
@@ -63,6 +64,7 @@ __all__ = [
     "RationalTwist",
     "RationalTwistPiece",
     "Real",
+    "ReferenceCurve",
     "SweptBody",
     "Undecided",
     "__version__",
@@ -72,6 +74,7 @@ __all__ = [
     "map",
     "parse",
     "read",
+    "reference",
     "root",
     "set_threads",
     "set_time_limit",

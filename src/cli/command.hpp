@@ -285,6 +285,7 @@ void add_certify(Program& program);
 void add_verify(Program& program);
 void add_prove(Program& program);
 void add_page(Program& program);
+void add_reference_collection(Program& program);
 void add_help(Program& program);
 void add_completion(Program& program);  ///< hidden
 void add_man(Program& program);         ///< hidden

@@ -73,6 +73,7 @@ const std::vector<std::string> calls{
     "verify angle.cert",
     "prove quintic.json",
     "page quintic.json",
+    "reference --group plane",
     "help angle"};
 
 std::string command_of(const std::string& call) { return call.substr(0, call.find(' ')); }
@@ -126,6 +127,8 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--roll-column", "bank"},
                                                 {"--pick", "left"},
                                                 {"--nearest", "1,2,3"},
+                                                {"--group", "splines"},
+                                                {"--export", "collection"},
                                                 {"--curve", "quintic.json"}};
 
 /// These change no answer: limits, where it goes, how it is found, what is the default anyway.

@@ -69,6 +69,7 @@ TEST_CASE("program: each command succeeds, on the paper's quintic or a plane cub
                      {"verify certificate.json", "0.2858565300983410"},
                      {"prove quintic.json --at 1", "Theorem "},
                      {"page quintic.json", "</html>\n"},
+                     {"reference plane-01", "{\"phrame\": \"curve/1\""},
                      {"help angle", "Usage: phrame angle "}};
   std::vector<std::string> tried;
   for (const Case& c : cases) {
@@ -117,7 +118,7 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
       here.run(""), 2,
       "a command is needed: there are angle, info, classify, totals, frames, mtf, "
       "interpolate, construct, identify, integrate, sweep, offset, batch, compile, check, certify, "
-      "verify, prove, page, help "
+      "verify, prove, page, reference, help "
       "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");

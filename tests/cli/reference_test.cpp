@@ -1,0 +1,85 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/workshop.hpp"
+
+using namespace phrame;
+using namespace phrame::test;
+
+namespace reference_test {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("reference: the collection is found, listed, and read by a batch as it is") {
+  const Workshop here;
+  const Run all = here.run("reference");
+  check_success(all);
+  const auto lines = lines_of(all.out);
+  CHECK(lines.size() > 300);
+  const auto list = lines_of(here.run("reference --list").out);
+  CHECK(list.size() == lines.size() + 1);
+  CHECK(here.run("reference --group rational-frames,plane -o some.jsonl").status == 0);
+  const Run batch = here.run("batch some.jsonl --question totals --digits 50");
+  check_success(batch);
+  const auto some = lines_of(bytes_of(here.file("some.jsonl")));
+  const auto answers = lines_of(batch.out);
+  REQUIRE(answers.size() == some.size());
+  for (std::size_t k = 0; k < some.size(); k += 5) {
+    const auto curve = nlohmann::json::parse(some[k]);
+    const auto length = nlohmann::json::parse(answers[k])["length"];
+    CHECK((length.is_object() ? length["value"] : length) == curve["expected"]["length"]);
+  }
+  check_failure(here.run("reference --group wild"), 2, "--group: \"wild\" is not one of bezier, ");
+  check_failure(here.run("reference tame-1"), 2, "NAME: \"tame-1\" is no curve of it");
+  CHECK(nlohmann::json::parse(here.run("reference tame-01").out)["name"] == "tame-01");
+}
+
+// At t = 0, 1/3, 1/2 and 1, of which the collection has 50 digits.
+TEST_CASE("reference: what is exported are the doubles nearest to the values") {
+  const Workshop here;
+  const std::string groups = "--group tame,minimal-twist,plane-offsets --samples 7,3";
+  CHECK(here.run("reference --export out " + groups).status == 0);
+  const auto curves = lines_of(bytes_of(here.file("out/curves.jsonl")));
+  CHECK(lines_of(bytes_of(here.file("out/totals.csv"))).size() == curves.size() + 1);
+  CHECK(lines_of(bytes_of(here.file("out/values.csv"))).size() == 4 * curves.size() + 1);
+  for (std::size_t k = 0; k < curves.size(); k += 9) {
+    const auto curve = nlohmann::json::parse(curves[k]);
+    const std::string name = curve["name"];
+    CAPTURE(name);
+    CHECK(nlohmann::json::parse(bytes_of(here.file("out/curves/" + name + ".json"))) == curve);
+    CHECK(fs::exists(here.file("out/frames/3/" + name + ".npy")));
+    const auto table = lines_of(bytes_of(here.file("out/frames/7/" + name + ".csv")));
+    REQUIRE(table.size() == 8);
+    const std::size_t rows[] = {1, 3, 4, 7};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto cells = cells_of(table[rows[i]]);
+      REQUIRE(cells.size() == 13);
+      for (std::size_t j = 0; j < 12; ++j)
+        CHECK(std::strtod(cells[j + 1].c_str(), nullptr) ==
+              std::strtod(curve["expected"]["frames"][i][j].get<std::string>().c_str(), nullptr));
+    }
+  }
+  check_failure(here.run("reference --export out " + groups), 2, "out: is there already");
+  check_failure(here.run("reference --export . --group tame"), 2, ".: is there already");
+  check_failure(here.run("reference --export x --samples 1"), 2,
+                "--samples: \"1\" is no whole number from 2 to 100000");
+  check_failure(here.run("reference --export line.json/x --group plane"), 2, "line.json/x: ");
+  CHECK(here.names() ==
+        std::vector<std::string>{"inflected.json", "line.json", "out", "quintic.json"});
+}
+
+}  // namespace reference_test
