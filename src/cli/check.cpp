@@ -1,14 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <tuple>
 
 #include "phrame/algebra/as_written.hpp"
+#include "phrame/algebra/progress.hpp"
+#include "phrame/cli/collection.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/exchange.hpp"
 #include "phrame/io/better_reading.hpp"
 #include "phrame/io/frame_parameters.hpp"
 #include "phrame/io/write/check.hpp"
 #include "phrame/io/write/names.hpp"
+#include "phrame/io/write/suite.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -24,6 +30,8 @@ struct CheckOptions {
   std::string tangent_axis = "x";
   bool is_inverse = false;
   std::vector<std::string> header;
+  bool is_suite = false;
+  bool is_order = false;
   std::string print = "text";
   TextLength length;
 };
@@ -110,15 +118,131 @@ void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptio
                         as_written(frames.front().t)));
 }
 
-void run(const Command& command, const CheckOptions& options) {
-  const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}});
-  FrameReading reading = cli::reading(command, options);
+/// What frames are compared with, but for v, which is of a curve.
+FrameCheckOptions measure_of(const CheckOptions& options) {
   FrameCheckOptions measure;
   measure.tolerance = parse_option("--tol", options.tolerance);
   if (measure.tolerance < 0)
     throw InputError("--tol", as_written(measure.tolerance) + " is negative");
   measure.start = options.start.given();
+  return measure;
+}
+
+/// A table, and what is found in it.
+struct Checked {
+  GivenTable table;
+  std::string taken;  ///< how t is found, where that is not as it stands there
+  CheckAnswer answer;
+};
+
+Checked checked(const Command& command, const NamedPath& named, const std::string& bytes,
+                const std::string& file, const std::optional<ParameterKind>& by,
+                const FrameCheckOptions& measure, FrameReading& reading) {
+  std::string taken;
+  GivenTable table = read_on(named, bytes, file, by, reading, taken);
+  if (!table.has_quaternions && !table.has_matrices)
+    command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
+                   "is for quaternions; the table has vectors");
+  if (table.has_matrices)
+    command.refuse({"--quaternion"}, "is for quaternions; the table has matrices");
+  require_enough(table.frames, measure, file);
+  CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
+  return {std::move(table), std::move(taken), std::move(found)};
+}
+
+/// The tables in a folder, and in the folders there, by their names without endings.
+std::map<std::string, std::vector<std::string>> tables_in(const std::string& option,
+                                                          const std::string& folder) {
+  if (Exchange::current() != nullptr)
+    throw InputError(option, "a folder has no place in a line of a batch");
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) throw InputError(folder, "is no folder");
+  std::map<std::string, std::vector<std::string>> tables;
+  for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error)) {
+    const std::string ending = at->path().extension().string();
+    if (ending == ".csv" || ending == ".npy" || ending == ".txt")
+      tables[at->path().stem().string()].push_back(at->path().string());
+  }
+  if (tables.empty()) throw InputError(folder, "no tables are in it: .csv, .npy or .txt");
+  for (auto& [name, files] : tables) std::sort(files.begin(), files.end());
+  return tables;
+}
+
+/// Of the tables for one curve of the collection; t is ours.
+SuiteRow suite_row_of(const Command& command, const CheckOptions& options,
+                      const CollectedCurve& curve, const std::vector<std::string>& files,
+                      const FrameCheckOptions& measure) {
+  try {
+    const NamedPath named = curve.path();
+    std::vector<CheckAnswer> answers;
+    for (const std::string& file : files) {
+      FrameReading reading = cli::reading(command, options);
+      answers.push_back(
+          checked(command, named, read_file(file), file, ParameterKind::t, measure, reading)
+              .answer);
+    }
+    return suite_row(curve.name, curve.group, answers);
+  } catch (const Error& error) {
+    return SuiteRow{curve.name, curve.group, error.what()};
+  }
+}
+
+void run_suite(const Command& command, const CheckOptions& options) {
+  const auto print = choose<std::string (*)(const SuiteAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  const FrameCheckOptions measure = measure_of(options);
+  auto tables = tables_in("--suite", options.curve.path);
+  SuiteAnswer found;
+  found.tolerance = measure.tolerance;
+  const auto curves = reference_collection();
+  Stage stage("curves", curves.size());
+  for (const CollectedCurve& curve : curves) {
+    stage.advance();
+    const auto files = tables.find(curve.name);
+    if (files == tables.end()) {
+      found.missing.push_back(curve.name);
+      continue;
+    }
+    found.rows.push_back(suite_row_of(command, options, curve, files->second, measure));
+    tables.erase(files);
+  }
+  if (!tables.empty())
+    throw InputError(tables.begin()->second.front(),
+                     "no curve of the collection has this name (phrame reference --list)");
+  options.length.write(options.curve.output, print(found));
+  if (!found.passes()) throw AnswerNo{};
+}
+
+void run_order(const Command& command, const CheckOptions& options) {
+  const auto print = choose<std::string (*)(const OrderAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  FrameCheckOptions measure = measure_of(options);
+  const NamedPath named = options.curve.read_any_path();
+  measure.up = options.up.chosen(named.path, options.start.is_up());
+  options.start.check(named.path, measure.up);
+  std::optional<ParameterKind> by = ParameterKind::t;
+  if (command.is_given("--by")) by = choose("--by", options.by, parameter_kinds());
+  require_parameter(named.path, *by);
+  std::vector<StepError> steps;
+  for (const auto& [name, files] : tables_in("--order", options.frames))
+    for (const std::string& file : files) {
+      FrameReading reading = cli::reading(command, options);
+      const Checked table = checked(command, named, read_file(file), file, by, measure, reading);
+      steps.push_back(step_error(table.answer.frames, table.answer.verdict));
+    }
+  options.length.write(options.curve.output,
+                       print(OrderAnswer{named.name, convergence(std::move(steps))}));
+}
+
+void run(const Command& command, const CheckOptions& options) {
+  if (options.is_suite) return run_suite(command, options);
+  if (options.is_order) return run_order(command, options);
+  if (options.print == "latex") throw InputError("--print", "\"latex\" is for --suite and --order");
+  const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  FrameReading reading = cli::reading(command, options);
+  FrameCheckOptions measure = measure_of(options);
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("check", "the curve and the frames are both to be read from standard input");
 
@@ -129,22 +253,14 @@ void run(const Command& command, const CheckOptions& options) {
   const std::string file = name_of_file(options.frames);
   std::optional<ParameterKind> by;
   if (command.is_given("--by")) by = choose("--by", options.by, parameter_kinds());
-  std::string taken;
   if (by) require_parameter(named.path, *by);
-  const GivenTable table = read_on(named, bytes, file, by, reading, taken);
-  if (!table.has_quaternions && !table.has_matrices)
-    command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
-                   "is for quaternions; the table has vectors");
-  if (table.has_matrices)
-    command.refuse({"--quaternion"}, "is for quaternions; the table has matrices");
-  require_enough(table.frames, measure, file);
-  const CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
-  TableReading shown{table.columns, table.skipped};
-  shown.parameters = taken;
-  if (const auto better = better_reading(found, bytes, reading, table))
+  const Checked found = checked(command, named, bytes, file, by, measure, reading);
+  TableReading shown{found.table.columns, found.table.skipped};
+  shown.parameters = found.taken;
+  if (const auto better = better_reading(found.answer, bytes, reading, found.table))
     shown.better = {to_options(better->reading), better->passes};
-  options.length.write(options.curve.output, print(found, shown));
-  if (!found.verdict.passes) throw AnswerNo{};
+  options.length.write(options.curve.output, print(found.answer, shown));
+  if (!found.answer.verdict.passes) throw AnswerNo{};
 }
 
 }  // namespace
@@ -154,8 +270,14 @@ void add_check(Program& program) {
   const auto options = std::make_shared<CheckOptions>();
   options->curve.add_to(command);
   options->curve.reading.skips_where_possible = true;  // the frames have rows, too
-  command.add_argument("FRAMES", options->frames,
-                       "a table of frames (text or .npy), \"-\" for standard input");
+  command.add_optional_argument("FRAMES", options->frames,
+                                "a table of frames (text or .npy), \"-\" for standard input");
+  command.add_flag("--suite", options->is_suite,
+                   "CURVE is a folder of tables for the reference collection, NAME.csv, .npy or\n"
+                   ".txt, those at several steps in folders there; one report on all of them");
+  command.add_flag("--order", options->is_order,
+                   "FRAMES is a folder of tables of one method at several steps: how fast its\n"
+                   "errors fall");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "radians, cosines and lengths that may be off (default 1e-6)");
   add_by(command, options->by, "what t is in the table (default: found out, if it is not ours): t");
@@ -173,8 +295,13 @@ void add_check(Program& program) {
                    "of quaternions and matrices: they turn the world to the body");
   command.add_list("--header", "NAME,...", options->header,
                    "the names of the columns of a table without them");
-  command.add_format("--print", options->print, {"text", "json"}, "text (default) or json");
+  command.add_format("--print", options->print, {"text", "json", "latex"},
+                     "text (default), json, or of --suite and --order latex");
   options->length.add_to(command);
+  command.require_but_with("--suite", "FRAMES");
+  command.not_with({"--order", "--near", "--max-corner", "--kind", "--gap", "--pick",
+                    "--max-degree", "--by", "--up", "--start-normal", "FRAMES"},
+                   {"--suite"});
   command.set_notes(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"
       "and qw,qx,qy,qz. Other columns are skipped. Without a header their number tells: 4: t, f2;\n"
@@ -183,10 +310,13 @@ void add_check(Program& program) {
       "placed\n"
       "on the curve by these. Separators are commas, semicolons, tabs or blanks.\n"
       "Exit status 0: within the tolerance, 1: not.\n"
+      "phrame reference --export writes the curves and the t that --suite is about.\n"
       "Examples:\n"
       "  phrame check curve.json frames.csv --tol 1e-9\n"
       "  phrame check curve.json frames.npy --theta0 0\n"
-      "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json");
+      "  phrame check curve.json poses.csv --tangent-axis z --print json -o check.json\n"
+      "  phrame check --suite my-frames --print latex\n"
+      "  phrame check curve.json my-frames --order");
   command.does(options, run);
 }
 

@@ -28,7 +28,7 @@ std::vector<ListedOption> options_of(const CLI::App& app, const Facts& facts) {
     listed.group = option->get_group();
     listed.facts = facts(option->get_name());
     listed.takes_list = listed.value.ends_with(",...");
-    listed.is_required = option->get_required();
+    listed.is_required = option->get_required() || !listed.facts.required_but_with.empty();
     listed.takes_file =
         listed.value == "FILE" ||
         (listed.is_argument && listed.names[0] != "EXPR" && listed.facts.names.empty());

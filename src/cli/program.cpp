@@ -220,6 +220,11 @@ void Command::describe_output() {
 
 void Command::require(const std::string& option) { named(option).required(); }
 
+void Command::require_but_with(const std::string& choice, const std::string& option) {
+  app_.get_option(option);  // throws where there is none
+  facts_[option].required_but_with = choice;
+}
+
 void Command::only_with(const std::vector<std::string>& options,
                         const std::vector<std::string>& choices) {
   for (const std::string& option : options) {
@@ -318,7 +323,11 @@ void Command::refuse_format(const std::string& why) const {
 void Command::require_applicable() const {
   const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
   for (const auto& [option, facts] : facts_) {
-    if (!is_given(option)) continue;
+    if (!is_given(option)) {
+      if (!facts.required_but_with.empty() && !is_chosen(facts.required_but_with))
+        throw InputError(option, "is required (phrame " + name() + " --help)");
+      continue;
+    }
     if (!facts.with.empty() && std::none_of(facts.with.begin(), facts.with.end(), chosen))
       throw InputError(option, "needs " + alternatives(facts.with));
     const auto against = std::find_if(facts.without.begin(), facts.without.end(), chosen);

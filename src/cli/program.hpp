@@ -27,6 +27,7 @@ struct OptionFacts {
   /// only, …
   std::vector<std::string> with;
   std::vector<std::string> without;  ///< … and with none of these
+  std::string required_but_with;     ///< it is required, but with this choice; else empty
   std::optional<WholeNumbers> range;
   std::optional<std::string> by_default;  ///< where that is one value, whatever else is given
   std::optional<std::string> in_lines;    ///< the same of a line of a batch, where that is another
@@ -94,6 +95,7 @@ class Command {
 
   // To be called after all options were added.
   void require(const std::string& option);
+  void require_but_with(const std::string& choice, const std::string& option);
   void only_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
   void not_with(const std::vector<std::string>& options, const std::vector<std::string>& choices);
   const OptionFacts& facts(const std::string& option) const;

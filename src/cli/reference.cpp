@@ -221,7 +221,7 @@ void add_reference_collection(Program& program) {
       "  phrame reference tame-01 -o curve.json\n"
       "  phrame reference --group closed,near-cusp | phrame batch --question totals\n"
       "  phrame reference --export collection --samples 51,101,201");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

@@ -242,3 +242,44 @@ TEST_CASE("check: tangents that are off at the right places fail, whatever t may
     CHECK(nlohmann::json::parse(run.out)["parameters"].is_null());
   }
 }
+
+// Along a straight line the exact frame stands still, so that the errors are those written here:
+// step²/5.
+TEST_CASE("check: the order of a method is found from its tables at several steps") {
+  const Workshop here;
+  fs::create_directory(here.file("mine"));
+  for (const int n : {4, 8, 16}) {
+    std::string table = "t,f2x,f2y,f2z\n";
+    for (int k = 0; k <= n; ++k) {
+      const double angle = k / 5.0 / n / n / n;
+      table += fmt::format("{},0,{},{}\n", 1.0 * k / n, std::cos(angle), std::sin(angle));
+    }
+    here.write(fmt::format("mine/{}.csv", n), table);
+  }
+  const Run run = here.run("check line.json mine --order");
+  check_success(run);
+  CHECK(contains(run.out, "order about 2.00\n"));
+  const auto json =
+      nlohmann::json::parse(here.run("check line.json mine --order --print json").out);
+  CHECK(json["phrame"] == "order/1");
+  CHECK(json["steps"].size() == 3);
+  CHECK(std::stod(json["steps"][0]["error"]["upper"].get<std::string>()) ==
+        doctest::Approx(0.0125).epsilon(1e-5));
+  CHECK(json["steps"][0]["rate"].is_null());
+  CHECK(json["steps"][2]["rate"]["value"].get<std::string>().starts_with("2.00000"));
+  CHECK(here.run("check line.json mine --order --print latex")
+            .out.starts_with("\\begin{tabular}{lrrr}\n"));
+  check_failure(here.run("check line.json --order"), 2, "FRAMES: is required");
+  check_failure(here.run("check line.json mine --suite"), 2,
+                "FRAMES: does not apply with --suite\n");
+  check_failure(here.run("check line.json mine/4.csv --order"), 2, "mine/4.csv: is no folder");
+  check_failure(here.run("check line.json mine/4.csv --print latex"), 2,
+                "--print: \"latex\" is for --suite and --order");
+  fs::create_directory(here.file("empty"));
+  check_failure(here.run("check --suite empty"), 2, "empty: no tables are in it");
+  check_failure(here.run("check --suite mine"), 2, "mine/16.csv: no curve of the collection");
+  const Run line = here.run("batch", R"({"question": "check", "curve": {"phrame": "curve/1", )"
+                                     R"("control_points": [[0, 0, 0], [1, 0, 0]]}, )"
+                                     R"("frames": "mine", "order": true})");
+  CHECK(contains(line.out, "a folder has no place in a line of a batch"));
+}

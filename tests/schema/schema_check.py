@@ -149,6 +149,16 @@ def check_command_line(folder):
         table.write_text(phrame("frames", quintic, "--samples", "9", "--frame", frame))
         ask("check", quintic, table, "--print", "json")
         ask("check", quintic, table, "--start-normal", "0,0,1", "--print", "json")
+    for name, end in (("tame-01", 1), ("corners-03", 3), ("plane-01", 1)):  # and a table without frames
+        for n in (3, 5):
+            (here / f"tables{n}").mkdir(exist_ok=True)
+            rows = [f"{end * k / (n - 1)},{k % 2},1,1" for k in range(n)] if name != "plane-01" else []
+            (here / f"tables{n}" / f"{name}.csv").write_text("\n".join(["t,f2x,f2y,f2z", *rows]))
+    (here / "tables3").rename(here / "tables5" / "tables3")
+    ask("check", "--suite", here / "tables5", "--print", "json")
+    for table in [*(here / "tables5").rglob("plane-01.csv"), *(here / "tables5").rglob("corners-03.csv")]:
+        table.unlink()
+    ask("check", quintic, here / "tables5", "--order", "--print", "json")
     for points in (ROOT / "examples" / "paths").iterdir():
         for kind in ("quintic", "planar", "cubic", "helical", "rrmf", "rmf", "c2", "c2-hermite"):
             ask("construct", points, "--kind", kind, "--print", "json")

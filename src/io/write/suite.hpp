@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "phrame/answer/suite.hpp"
+
+namespace phrame::inline v0 {
+
+/// A row for each group of curves; and the curves that fail, the worst first.
+std::string to_text(const SuiteAnswer& answer);
+std::string to_json(const SuiteAnswer& answer);   ///< suite/1
+std::string to_latex(const SuiteAnswer& answer);  ///< a tabular with a row for each group
+
+/// A row for each step.
+std::string to_text(const OrderAnswer& answer);
+std::string to_json(const OrderAnswer& answer);   ///< order/1
+std::string to_latex(const OrderAnswer& answer);  ///< a tabular
+
+}  // namespace phrame

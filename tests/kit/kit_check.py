@@ -1,0 +1,77 @@
+"""examples/kit: the program of each language that is there writes tables of frames for the collection, and phrame check --suite
+finds that they are by a method of order 4; frames that are wrong are told what is wrong.
+
+Rust is compiled with PHRAME_TEST_MULTIPLIER above 1 only.
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+KIT = Path(__file__).resolve().parents[2] / "examples/kit"
+
+
+def phrame(*arguments, status=0):
+    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    if run.returncode != status:
+        sys.exit("phrame %s: status %d\n%s%s" % (" ".join(map(str, arguments)), run.returncode, run.stdout, run.stderr))
+    return run.stdout
+
+
+def programs(folder):
+    """{language: its command}"""
+    yield "python", [sys.executable, KIT / "double_reflection.py"]
+    if os.environ.get("PHRAME_KIT_CPP"):
+        yield "c++", [os.environ["PHRAME_KIT_CPP"]]
+    if shutil.which("node"):
+        yield "javascript", ["node", KIT / "double_reflection.mjs"]
+    if shutil.which("rustc") and float(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1:
+        subprocess.run(["rustc", "-o", folder / "compiled", KIT / "double_reflection.rs"], check=True)
+        yield "rust", [folder / "compiled"]
+
+
+def suite(tables):
+    found = json.loads(phrame("check", "--suite", tables, "--print", "json", status=1))  # not all curves have tables
+    return {group["name"]: group for group in found["groups"]}, {row["name"]: row for row in found["curves"]}
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        phrame("reference", "--export", folder / "collection", "--group", "rational-frames,corners", "--samples", "21,41")
+        first = None
+        for language, command in programs(folder):
+            subprocess.run([*command, folder / "collection/frames", folder / language], check=True)
+            groups, curves = suite(folder / language)
+            assert 3.9 < groups["rational-frames"]["order"] < 4.1, (language, groups)
+            assert groups["corners"]["holonomy"] is not None and groups[""]["flips"] == 0
+            errors = {name: float(row["max_error"]["upper"]) for name, row in curves.items()}
+            first = first or errors
+            assert errors.keys() == first.keys() and len(errors) > 15
+            assert all(abs(errors[name] - first[name]) < 1e-6 * first[name] + 1e-13 for name in errors), (language, errors, first)
+        # A frame that turns over, and one with a NaN.
+        mine, one = folder / "python", "41/rational-frames-01.csv"
+        lines = (mine / one).read_text().splitlines()
+        turned = [lines[0], lines[1]]
+        for line in lines[2:]:
+            t, *f2 = line.split(",")
+            turned.append(",".join([t, *(x[1:] if x.startswith("-") else "-" + x for x in f2)]))
+        (mine / one).write_text("\n".join(turned) + "\n")
+        (mine / "41/rational-frames-02.csv").write_text("t,f2x,f2y,f2z\n0,nan,0,0\n1,0,1,0\n")
+        groups, curves = suite(mine)
+        assert groups["rational-frames"]["flips"] == 1 and groups["rational-frames"]["failures"] == 1
+        assert curves["rational-frames-01"]["verdict"] == "fail" and curves["rational-frames-01"]["max_error"]["lower"] > "3.14"
+        assert "41/rational-frames-02.csv:line 2" in curves["rational-frames-02"]["failure"]
+        text = phrame("check", "--suite", mine, status=1)
+        assert "\n  rational-frames  " in text and "Without a verdict\n  rational-frames-02: " in text
+        assert phrame("check", "--suite", mine, "--print", "latex", status=1).startswith("\\begin{tabular}{lrrrrrrr}\ngroup & ")
+        (mine / "nobody.csv").write_text("t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n")
+        phrame("check", "--suite", mine, status=2)
+
+
+if __name__ == "__main__":
+    main()
