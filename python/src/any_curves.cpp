@@ -203,7 +203,7 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
   std::vector<BezierPiece> pieces;
   try {
     pieces = without_gil([data] {
-      const auto derivatives = cubic_derivatives(data).values;
+      const auto derivatives = cubic_derivatives(data);
       std::vector<BezierPiece> all;
       for (std::size_t k = 0; k + 1 < data.points.size(); ++k)
         all.push_back(
