@@ -118,6 +118,55 @@ def turned(curve, a, b, c, d):
     return quaternion(u=combined(a, -b, -c, -d), v=combined(b, a, -d, c), p=combined(c, d, a, -b), q=combined(d, -c, b, a))
 
 
+def ph_spline(n, below):
+    """Quintics whose preimages go on, so that the tangent does."""
+    last, start, segments = None, ["0", "0", "0"], []
+    for _ in range(n):
+        curve = {**ph(2, 5, below), "start": start}
+        if last is not None:
+            for key, x in zip("uvpq", last):
+                curve["preimage"][key][0] = str(x)
+        last = [sum(map(Fraction, curve["preimage"][key])) for key in "uvpq"]
+        start = [str(sum(c)) for c in foreign.Segment(curve).lists]
+        segments.append({key: x for key, x in curve.items() if key != "phrame"})
+    return {"phrame": "spline/1", "segments": segments}
+
+
+BENDS = [(Fraction(4, 5), Fraction(3, 5)), (Fraction(12, 13), Fraction(5, 13)), (Fraction(15, 17), Fraction(8, 17)), (Fraction(3, 5), Fraction(4, 5))]
+
+
+def pipe(bends):
+    """Straight lines with arcs between them; half of an arc's angle, and the turn of its plane, have a rational cosine and sine."""
+    at, frame, segments = [Fraction(0)] * 3, [[Fraction(i == k) for k in range(3)] for i in range(3)], []
+
+    def go(way, direction):
+        return [a + way * d for a, d in zip(at, direction)]
+    for k in range(bends + 1):
+        ahead, left, up = frame
+        end = go(Fraction(CHANCE.randint(1, 9), 2), ahead)
+        segments.append({"control_points": [[str(x) for x in p] for p in (at, end)]})
+        if k == bends:
+            return {"phrame": "spline/1", "segments": segments}
+        at = end
+        c, s = CHANCE.choice(BENDS)
+        left, up = ([c * a + s * b for a, b in zip(left, up)], [c * b - s * a for a, b in zip(left, up)])
+        c, s = CHANCE.choice(BENDS)
+        cos, sin, way = c * c - s * s, 2 * c * s, Fraction(CHANCE.randint(1, 4), 2)
+        turned_ahead = [cos * a + sin * b for a, b in zip(ahead, left)]
+        corner = go(way, ahead)
+        start, at = at, corner
+        end = go(way, turned_ahead)
+        segments.append({"control_points": [[str(x) for x in p] for p in (start, corner, end)], "weights": ["1", str(c), "1"]})
+        at, frame = end, [turned_ahead, [cos * b - sin * a for a, b in zip(ahead, left)], up]
+
+
+def power_basis_curve(degree, is_rational):
+    position = {key: some(degree + 1, 9, 7) for key in "xyz"}
+    if is_rational:
+        position["w"] = ["3", *some(degree, 1, 4)]
+    return {"phrame": "curve/1", "basis": "power", "position": position}
+
+
 def torus_knot(p, q, height):
     return formula("(3+cos(%d*s))*cos(%d*s)" % (q, p), "(3+cos(%d*s))*sin(%d*s)" % (q, p), "sin(%d*s)*%s" % (q, height), "2*pi")
 
@@ -208,6 +257,9 @@ def more_groups(only=None):
         formula("%d*cos(s)" % a, "%d*sin(s)" % b, "cos(%d*s)/%d" % (k, c), "2*pi") for a, b, c, k in ((2, 3, 4, 2), (1, 1, 3, 3), (3, 2, 5, 4), (1, 2, 2, 3))]
     yield begin("splines"), [spline(corners=False) for _ in range(8)]
     yield begin("corners"), [spline(corners=True) for _ in range(5)] + [polyline(n) for n in (3, 4, 6, 7)]
+    yield begin("ph-splines"), [ph_spline(n, b) for n, b in ((2, 1), (3, 1), (2, 3), (3, 2), (4, 3), (5, 2))]
+    yield begin("pipes"), [pipe(n) for n in (1, 1, 2, 2, 3, 3, 4, 5, 6, 8)]
+    yield begin("power-basis"), [power_basis_curve(n, is_rational) for is_rational in (False, True) for n in (2, 3, 3, 4, 5, 6, 8)]
     yield begin("minimal-twist"), [with_twist(ph(m, below=b)) for m in (1, 2, 3) for b in (1, 4, 7)] + [
         with_twist({"phrame": "curve/1", "control_points": points(n)}) for n in (4, 4, 5, 6)] + [
         with_twist(formula("2*cos(s)", "2*sin(s)", "%d*s/5" % k, "4")) for k in (1, 3)]
@@ -235,7 +287,7 @@ def named(only=None):
             name, note = "%s-%02d" % (group, last[group]), {"family": group}
             yield group, {"phrame": curve["phrame"], "name": name, **note, **curve}
             near = rounded(curve)
-            if near != curve and group not in ("splines", "corners", "hard-rounding"):
+            if near != curve and group not in ("splines", "corners", "hard-rounding", "ph-splines", "pipes"):
                 yield group, {"phrame": curve["phrame"], "name": name + "-doubles", **note, "note": "the numbers of %s as doubles" % name, **near}
 
 

@@ -37,11 +37,12 @@ std::vector<CollectedCurve> chosen_curves(const ReferenceOptions& options) {
   return curves;
 }
 
-/// "PH quintic", "Bézier", "formulas": what the line gives the curve by.
+/// What the line gives the curve by: "formulas".
 std::string kind_of(const CollectedCurve& curve) {
   const JsonNode node(curve.json);
   if (node.find("segments")) return fmt::format("{} segments", node.at("segments").size());
   if (node.find("preimage")) return "preimage";
+  if (node.find("position")) return "power basis";
   if (node.find("weights")) return "control points, weights";
   return node.find("expressions") ? "formulas" : "control points";
 }

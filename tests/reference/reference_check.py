@@ -15,7 +15,7 @@ import make_reference as reference
 
 ALL = os.environ.get("PHRAME_REFERENCE") == "all"
 EVERY = 1 if ALL else 17
-FOREIGN = ["tame-01", "formulas-01", "minimal-twist-01", "hard-rounding-01", "plane-offsets-01", "plane-01", "turning-multiplier-01"]
+FOREIGN = ["tame-01", "formulas-01", "minimal-twist-01", "hard-rounding-01", "plane-offsets-01", "plane-01", "power-basis-01", "ph-splines-01", "turning-multiplier-01"]
 
 
 def phrame(*arguments, text=None):
