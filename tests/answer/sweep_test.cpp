@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
@@ -290,11 +291,45 @@ TEST_CASE("sweep: a body whose triangles vanish in doubles is refused") {
   check_body(answer(far, in_sections(rectangle_profile(1024, 1), 2)).body, 2);
 }
 
-TEST_CASE("sweep: cusps are refused") {
-  // r′ = (t − 1/2)²·i
-  const NamedPhPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(1, 4), -1, 1}));
+TEST_CASE("sweep: where the curve turns back in a cusp it is refused") {
+  // r′ = (t − 1/2)·i
+  const NamedPhPath cusp = named(Curve({{1}, {}, {}, {}}, Polynomial{Rational(-1, 2), 1}));
   CHECK_THROWS_AS(answer(cusp, within(rectangle_profile(1, 1))), Undecided);
   CHECK_THROWS_AS(answer(cusp, in_sections(rectangle_profile(1, 1), 5)), Undecided);
+}
+
+// The prism along a line, how fast ever it is passed: r′ = (t − 1/2)²·i, and t²(1 − t)·i backwards.
+TEST_CASE("sweep: through cusps of a line it goes on") {
+  for (const Polynomial& f : {Polynomial{Rational(1, 4), -1, 1}, Polynomial{0, 0, -1, 1}}) {
+    const double length = std::abs(round_to_double(antiderivative(f)(Rational(1))));
+    for (SweepQuery query :
+         {within(rectangle_profile(1, 2)), in_sections(rectangle_profile(1, 2), 5)}) {
+      const SweptBody body = answer(named(Curve({{1}, {}, {}, {}}, f)), query).body;
+      check_body(body, 2);
+      CHECK(volume(body.mesh) == doctest::Approx(2 * length).epsilon(1e-14));
+      query.twist = Angle{Rational(1, 2), 0};
+      CHECK(is_watertight(answer(named(Curve({{1}, {}, {}, {}}, f)), query).body.mesh));
+    }
+  }
+}
+
+// Pappus and Guldin: around its centroid a profile bounds its area times the length, folds counted
+// as they turn. Handles of a Bézier curve that lie on its ends, as editors have them.
+TEST_CASE("sweep: handles drawn into the ends of a curve leave a body") {
+  for (const bool is_reversed : {false, true}) {
+    std::vector<Vector<Rational>> points{{0, 0, 0}, {0, 0, 0}, {10, 2, 1}, {10, 10, 3}};
+    if (is_reversed) std::reverse(points.begin(), points.end());
+    const NamedPath curve{"", Path(bezier_curve(points))};
+    const SweptBody body =
+        answer(curve, within(circle_profile(Rational(1, 4), Rational(1, 4000)))).body;
+    CHECK(is_watertight(body.mesh));
+    const double length = round_to_double(PathLength(curve.path).total());
+    const double circumference = std::numbers::pi / 2;
+    CHECK(std::abs(volume(body.mesh) - std::numbers::pi / 16 * length) <=
+          *body.error * (circumference * length + 1));
+    CHECK(*body.error <= 1e-3);
+    CHECK(volume(body.mesh) > 0);
+  }
 }
 
 // Up to where 10⁻³ needs parts of 2⁻²² there are a hundred thousand that do: they are not found
@@ -304,7 +339,7 @@ TEST_CASE("sweep: that a curve turns too far on is seen in the middle of it") {
   const NamedPath steep{
       "", Segment(ExpressionCurve({s, exp(Formula(60) * s), Formula(0)}, Formula(0), Formula(1)))};
   CHECK_THROWS_WITH_AS(answer(steep, within(rectangle_profile(1, 1))),
-                       doctest::Contains("sweep: near t = 0.5 the curve has a cusp, or"),
+                       doctest::Contains("sweep: near t = 0.5 the curve turns back in a cusp, or"),
                        Undecided);
 }
 

@@ -81,19 +81,47 @@ SegmentTurning turning_of(const RationalCurve& curve) {
   return turning;
 }
 
+/// Does p vanish on [0, 1], and never change its sign inside?
+bool goes_through_cusps(const Segment& segment) {
+  const RationalCurve* curve = rational_curve(segment);
+  if (curve == nullptr || curve->multiplier().degree() == 0) return false;
+  const std::vector<RealRoot> found = cusps(segment);
+  return !found.empty() && odd_inside(found).empty();
+}
+
 }  // namespace
 
 CurveSeries series_of(const Path& path) {
   std::vector<SegmentSeries> segments;
   for (const auto& curve : path.segments())
     segments.push_back(visit_curve([](const auto& c) { return segment_of(c); }, curve));
-  const std::size_t count = segments.size();
-  return {count, [segments = std::move(segments)](std::size_t segment, const RealBall& t,
-                                                  long length, long bits) {
-            return std::visit(
-                [&](const auto& curve) { return series_around(curve, t, length, bits); },
-                segments[segment]);
-          }};
+  CurveSeries series;
+  series.segments = segments.size();
+  series.position = [segments = std::move(segments)](std::size_t segment, const RealBall& t,
+                                                     long length, long bits) {
+    return std::visit([&](const auto& curve) { return series_around(curve, t, length, bits); },
+                      segments[segment]);
+  };
+  for (std::size_t k = 0; k < series.segments; ++k) {
+    const Segment& segment = path.segments()[k];
+    if (!goes_through_cusps(segment)) continue;
+    const RationalCurve* curve = rational_curve(segment);
+    series.through_cusps[k] =
+        (orientation(segment) < 0 ? curve->turned_over() : *curve).direction();
+  }
+  return series;
+}
+
+Vector<BallPolynomial> along_motion(const CurveSeries& curve, std::size_t segment,
+                                    const RealBall& t, const Vector<BallPolynomial>& position,
+                                    long length, long bits) {
+  const auto found = curve.through_cusps.find(segment);
+  Vector<BallPolynomial> along;
+  for (std::size_t k = 0; k < 3; ++k)
+    along[k] = found == curve.through_cusps.end()
+                   ? truncated(differentiate(position[k], bits), length)
+                   : taylor_series(found->second[k], t, length, bits);
+  return along;
 }
 
 CurveSeries plane_series(const std::vector<RationalCurve>& segments,

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
@@ -31,11 +32,18 @@ struct CurveSeries {
   /// The segment that starts where each one ends, or no_segment. Empty where that is the next one,
   /// and of the last one the first.
   std::vector<std::size_t> behind = {};
+  /// Of a path: the segments with cusps in which it does not turn back, with H there, along r′.
+  std::map<std::size_t, Vector<Polynomial>> through_cusps = {};
 };
 inline constexpr std::size_t no_segment = static_cast<std::size_t>(-1);  ///< behind an open end
 
-/// Of such a curve.
+/// Of such a curve. Cost: the roots of p, of each rational segment whose p is not constant.
 CurveSeries series_of(const Path& path);
+/// Around t a vector along r′, so many terms: H where the segment goes through cusps, nowhere 0,
+/// and r′ elsewhere. `position` is that there, of one term more at least.
+Vector<BallPolynomial> along_motion(const CurveSeries& curve, std::size_t segment,
+                                    const RealBall& t, const Vector<BallPolynomial>& position,
+                                    long length, long bits);
 /// Of rational curves in a plane z = const, with what is behind each of them and their turning.
 /// Cost: the roots of p and of H × H′.
 CurveSeries plane_series(const std::vector<RationalCurve>& segments,

@@ -14,16 +14,20 @@ namespace {
 
 constexpr long share_bits = 96;
 
-/// |r′| around t, so many terms.
+/// |r′| around t, so many terms: r′·H/|H|, where H is along it.
 BallPolynomial speed_series(const CurveSeries& path, std::size_t segment, const RealBall& t,
                             long terms) {
   const auto r = path.position(segment, t, terms + 1, share_bits);
+  const auto along = along_motion(path, segment, t, r, terms, share_bits);
   BallPolynomial square;
-  for (const BallPolynomial& x : r) {
-    const BallPolynomial rate = differentiate(x, share_bits);
-    square = add(square, multiply_series(rate, rate, terms, share_bits), share_bits);
+  BallPolynomial product;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const BallPolynomial rate = differentiate(r[k], share_bits);
+    square = add(square, multiply_series(along[k], along[k], terms, share_bits), share_bits);
+    product = add(product, multiply_series(rate, along[k], terms, share_bits), share_bits);
   }
-  return multiply_series(square, inverse_sqrt_series(square, terms, share_bits), terms, share_bits);
+  return multiply_series(product, inverse_sqrt_series(square, terms, share_bits), terms,
+                         share_bits);
 }
 
 double value(const std::vector<double>& coefficients, double x) {
@@ -49,7 +53,7 @@ void LengthShare::add(const CurveSeries& path, std::size_t segment, double from,
   const double speed = approximate(around.coefficient(0));
   if (!(bound <= 0x1p-44 * speed * half)) {
     if (half < 0x1p-22)
-      throw Undecided(fmt::format("sweep: near t = {} the curve has a cusp",
+      throw Undecided(fmt::format("sweep: near t = {} the curve turns back in a cusp",
                                   static_cast<double>(segment) + from));
     add(path, segment, from, middle);
     add(path, segment, middle, to);

@@ -9,7 +9,7 @@ namespace phrame::inline v0 {
 /// polynomials of |r′| with a bound of what they are off.
 class LengthShare {
  public:
-  /// Throws Undecided where |r′| is not told from 0, as at a cusp.
+  /// Throws Undecided where |r′| is not told from 0, as where the path turns back in a cusp.
   explicit LengthShare(const CurveSeries& path);
 
   /// At t ∈ [0, 1] of a segment.

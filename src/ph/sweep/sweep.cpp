@@ -170,10 +170,12 @@ SweepSection Tessellation::end_of(const SweepPart& part, const SweepSection& fir
 
 /// 1 where the path goes along e₁, −1 where it goes against it.
 int Tessellation::direction_of_motion(const SweepPath& path) {
-  const auto series = path.series.position(0, RealBall(0, 64), 2, 64);
+  const RealBall start(0, 64);
+  const auto motion =
+      along_motion(path.series, 0, start, path.series.position(0, start, 2, 64), 1, 64);
   const Vector<double> e1 = path.frames(0).e1;
   double product = 0;
-  for (std::size_t k = 0; k < 3; ++k) product += approximate(series[k].coefficient(1)) * e1[k];
+  for (std::size_t k = 0; k < 3; ++k) product += approximate(motion[k].coefficient(0)) * e1[k];
   return product < 0 ? -1 : 1;
 }
 
@@ -482,7 +484,7 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   SweptBody body;
   SectionList found;
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
-    tessellation.parts(HUGE_VAL);  // there is no cusp
+    tessellation.parts(HUGE_VAL);  // it does not turn back
     tessellation.join_corners(1e-6 * swept.profile.reach() * scale);
     found = tessellation.equal_sections(*count);
   } else {

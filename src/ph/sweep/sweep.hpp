@@ -25,12 +25,12 @@ struct SweptBody {
   long folds = 0;
 };
 
-/// Throws DomainError for λ that is not > 0 all along; Undecided where r′ is not told from 0, as at
-/// a cusp, where normals are asked for and the body folds over itself, where more than 20
-/// million points would be needed, and where the body is so small beside its distance to the
-/// origin that its coordinates, rounded, are not within the tolerance, or not those of a body;
-/// DomainError where the error of the profile is not below half of the tolerance, or its angle that
-/// of the normals, and for less than 3 sections of a closed path or 2 of another.
+/// Throws DomainError for λ that is not > 0 all along; Undecided where r′ is not told from 0, as
+/// where the curve turns back in a cusp, where normals are asked for and the body folds over
+/// itself, where more than 20 million points would be needed, and where the body is so small beside
+/// its distance to the origin that its coordinates, rounded, are not within the tolerance, or not
+/// those of a body; DomainError where the error of the profile is not below half of the tolerance,
+/// or its angle that of the normals, and for less than 3 sections of a closed path or 2 of another.
 PHRAME_API SweptBody sweep(const SweepPath& path, const SweepForm& form);
 
 /// Beside a side of the profile at an angle to the curve for which it stands normals of the surface

@@ -17,8 +17,9 @@ namespace {
 // as near to the bilinear patch through its four corners as |S_tt|·Δt²/8 on the two edges u =
 // const. With the unit tangent T and f₂′ = −(f₂·T′)T, the derivatives of v are
 //   |v′| ≤ |v|·|T′|,  |v″| ≤ |v|·(|T″| + |T′|²),
-// and those of T, from T′ = (r″ − (T·r″)T)/|r′|,
-//   |T′| ≤ |r″|/|r′|,  |T″| ≤ (|r‴| + 3|T′||r″|)/|r′|;
+// and those of T, with a vector H along r′, r′ itself or one that is not 0 at cusps, either, from
+// T′ = (H′ − (T·H′)T)/|H|,
+//   |T′| ≤ |H′|/|H|,  |T″| ≤ (|H″| + 3|T′||H′|)/|H|;
 // φ′ = |r′|·dφ/ds and φ″ = (|r′|)′·dφ/ds + |r′|²·d²φ/ds², (|r′|)′ ≤ |r″|. All of this is bounded by
 // balls around all t of a part.
 
@@ -64,19 +65,20 @@ std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& s
                                       const SweepTurn& turn, const SweepPart& part) {
   const RealBall t = hull(exact_rational(part.from), exact_rational(part.to), rate_bits);
   const auto series = path.series.position(part.segment, t, 4, rate_bits);
-  const auto derivative = [&](long order) {
-    return Vector<RealBall>{series[0].coefficient(order), series[1].coefficient(order),
-                            series[2].coefficient(order)};
+  const auto coefficient = [](const Vector<BallPolynomial>& of, long order) {
+    return Vector<RealBall>{of[0].coefficient(order), of[1].coefficient(order),
+                            of[2].coefficient(order)};
   };
+  const auto along = along_motion(path.series, part.segment, t, series, 3, rate_bits);
+  const double below = length_below(coefficient(along, 0));
+  if (!(below > 0)) return std::nullopt;
   SweepRates rates{};
-  rates.speed_below = length_below(derivative(1));
-  if (!(rates.speed_below > 0)) return std::nullopt;
-  rates.speed = length_above(derivative(1));
-  rates.acceleration = 2 * length_above(derivative(2));
-  const double jerk = 6 * length_above(derivative(3));
-  rates.tangent = rates.acceleration / rates.speed_below * sweep_slack;
-  rates.tangent2 =
-      (jerk + 3 * rates.tangent * rates.acceleration) / rates.speed_below * sweep_slack;
+  rates.speed = length_above(coefficient(series, 1));
+  rates.acceleration = 2 * length_above(coefficient(series, 2));
+  const double along1 = length_above(coefficient(along, 1));
+  const double along2 = 2 * length_above(coefficient(along, 2));
+  rates.tangent = along1 / below * sweep_slack;
+  rates.tangent2 = (along2 + 3 * rates.tangent * along1) / below * sweep_slack;
   for (std::size_t k = 0; k < 3; ++k) rates.scale[k] = scale.bound(k, part.segment, t);
   const double per_length = turn.rate_bound(part.segment);
   rates.turn = (per_length * rates.speed + turn.roll_bound(1, part.segment, t)) * sweep_slack;
@@ -104,7 +106,8 @@ constexpr double shortest_part = 0x1p-22;
 
 [[noreturn]] void refuse_part(const SweepPart& part) {
   throw Undecided(fmt::format(
-      "sweep: near t = {} the curve has a cusp, or the tolerance is too small", part.start()));
+      "sweep: near t = {} the curve turns back in a cusp, or the tolerance is too small",
+      part.start()));
 }
 
 /// Around some points of each segment no part will do if one of the shortest at the point does not:

@@ -26,7 +26,6 @@ class ScaleRates {
 
 /// Bounds of how fast a path, and a profile along it, change on a part; derivatives are by t.
 struct SweepRates {
-  double speed_below;           ///< of |r′|, > 0
   double speed;                 ///< |r′|
   double acceleration;          ///< |r″|
   double tangent;               ///< |T′|, T the unit tangent
@@ -36,7 +35,7 @@ struct SweepRates {
   double turn2;                 ///< |φ″|
 };
 
-/// By balls around all t of the part; no value where r′ may be 0.
+/// By balls around all t of the part; no value where r′ may be 0, but for cusps it goes through.
 std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& scale,
                                       const SweepTurn& turn, const SweepPart& part);
 
@@ -44,12 +43,13 @@ std::optional<SweepRates> sweep_rates(const SweepPath& path, const ScaleRates& s
 /// most, no corner of the profile being farther from the path than `reach` where λ = 1.
 double edge_error(const SweepRates& rates, double reach, double step);
 
-/// Parts of all segments on which r′ ≠ 0 and edges are within the tolerance.
+/// Parts of all segments on which T is defined and edges are within the tolerance.
 struct SweepParts {
   std::vector<SweepPart> parts;
   double error = 0;  ///< of the edges
 };
-/// Throws Undecided where r′ is not told from 0, as at a cusp, and for too small a tolerance.
+/// Throws Undecided where r′ is not told from 0, as where the curve turns back in a cusp, and for
+/// too small a tolerance.
 SweepParts sweep_parts(const SweepPath& path, const ScaleRates& scale, const SweepTurn& turn,
                        double reach, double tolerance);
 

@@ -34,14 +34,23 @@ double round_point(Vector<double>& point, Coordinates numbers) {
 }  // namespace
 
 SweepSections::PathDerivatives SweepSections::derivatives_at(std::size_t segment, double t) const {
-  const auto series =
-      path_.series.position(segment, RealBall(exact_rational(t), section_bits), 3, section_bits);
+  const RealBall at(exact_rational(t), section_bits);
+  const auto series = path_.series.position(segment, at, 3, section_bits);
+  const auto motion = along_motion(path_.series, segment, at, series, 2, section_bits);
   PathDerivatives found{};
+  Vector<double> rate{};
+  Vector<double> along{};
+  Vector<double> along_rate{};
   for (std::size_t k = 0; k < 3; ++k) {
     found.place[k] = series[k].coefficient(0);
-    found.rate[k] = approximate(series[k].coefficient(1));
-    found.second[k] = 2 * approximate(series[k].coefficient(2));
+    rate[k] = approximate(series[k].coefficient(1));
+    along[k] = approximate(motion[k].coefficient(0));
+    along_rate[k] = approximate(motion[k].coefficient(1));
   }
+  const double length = size(along);
+  found.speed = size(rate);
+  found.tangent = 1 / length * along;
+  found.tangent_rate = 1 / length * (along_rate - dot(found.tangent, along_rate) * found.tangent);
   return found;
 }
 
@@ -59,11 +68,6 @@ bool SweepSections::has_corner(std::size_t segment) const {
 
 std::size_t SweepSections::before(std::size_t segment) const {
   return (segment > 0 ? segment : path_.series.segments) - 1;
-}
-
-Vector<double> SweepSections::tangent(std::size_t segment, double t) const {
-  const Vector<double> rate = derivatives_at(segment, t).rate;
-  return 1 / size(rate) * rate;
 }
 
 namespace {
@@ -130,10 +134,11 @@ SweepSection SweepSections::section(std::size_t segment, double t) const {
   const PathDerivatives at = derivatives_at(segment, t);
   const auto outline = this->outline(segment, t);
   SweepSection section = around(at, static_cast<double>(segment) + t, outline);
-  // Along T it moves by |r′| − v·T′, and v·T′ = v·r″/|r′|.
-  const double square = dot(at.rate, at.rate);
-  for (const Vector<double>& out : outline)
-    if (dot(out, at.second) >= square) ++section.folds;
+  // Along T it moves by |r′| − v·T′, which at a cusp of a straight line is 0, too.
+  for (const Vector<double>& out : outline) {
+    const double back = dot(out, at.tangent_rate);
+    if (back > 0 && back >= at.speed) ++section.folds;
+  }
   return section;
 }
 
@@ -167,19 +172,18 @@ double SweepSections::chord(std::size_t segment) const {
 }
 
 SweepMotion SweepSections::motion(std::size_t segment, double t) const {
-  const auto [place, rate, second] = derivatives_at(segment, t);
+  const PathDerivatives at = derivatives_at(segment, t);
   const Frame<double> frame = this->frame(segment, t);
-  const double speed = size(rate);
   const double phi = turn_.angle(segment, t);
   SweepMotion motion{};
-  motion.speed = speed;
-  motion.tangent = 1 / speed * rate;
-  motion.tangent_rate = 1 / speed * (second - dot(motion.tangent, second) * motion.tangent);
+  motion.speed = at.speed;
+  motion.tangent = at.tangent;
+  motion.tangent_rate = at.tangent_rate;
   motion.x = std::cos(phi) * frame.e2 + std::sin(phi) * frame.e3;
   motion.y = std::cos(phi) * frame.e3 - std::sin(phi) * frame.e2;
   motion.scale = scale_.at(0, segment, t);
   motion.scale_rate = scale_.at(1, segment, t);
-  motion.turn_rate = turn_.rate(segment, t) * speed + turn_.roll_rate(segment, t);
+  motion.turn_rate = turn_.rate(segment, t) * at.speed + turn_.roll_rate(segment, t);
   return motion;
 }
 

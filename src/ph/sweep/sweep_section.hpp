@@ -49,18 +49,20 @@ class SweepSections {
   std::size_t next(std::size_t corner) const { return form_.profile.next(corner); }
 
  private:
-  /// r, r′ and r″.
   struct PathDerivatives {
     Vector<RealBall> place;
-    Vector<double> rate;
-    Vector<double> second;
+    double speed;                 ///< |r′|
+    Vector<double> tangent;       ///< T, along r′
+    Vector<double> tangent_rate;  ///< T′
   };
   PathDerivatives derivatives_at(std::size_t segment, double t) const;
   /// From within the segment.
   Frame<double> frame(std::size_t segment, double t) const;
   bool has_corner(std::size_t segment) const;  ///< at its start
   std::size_t before(std::size_t segment) const;
-  Vector<double> tangent(std::size_t segment, double t) const;
+  Vector<double> tangent(std::size_t segment, double t) const {
+    return derivatives_at(segment, t).tangent;
+  }
   /// The corners of the profile there, from the center.
   std::vector<Vector<double>> outline(std::size_t segment, double t) const;
   SweepSection around(const PathDerivatives& at, double along,

@@ -66,7 +66,15 @@ TEST_CASE("length share: where a curve bends sharply the remainders are counted"
   }
 }
 
-TEST_CASE("length share: at a cusp it is undecided") {
-  const PhPath cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}));
+TEST_CASE("length share: where the path turns back in a cusp it is undecided") {
+  const PhPath cusp(Curve({{1}, {}, {}, {0, 1}}, Polynomial{Rational(-1, 3), 1}));
   CHECK_THROWS_AS(LengthShare(series_of(cusp)), Undecided);
+}
+
+// |r′| = t(1 + t²)
+TEST_CASE("length share: through a cusp at an end it goes on") {
+  const LengthShare share(series_of(PhPath(Curve({{1}, {}, {}, {0, 1}}, Polynomial{0, 1}))));
+  CHECK(std::abs(share.length() / 0.75 - 1) <= share.error());
+  for (double t = 0; t <= 1; t += 0x1p-6)
+    CHECK(std::abs(share(0, t) - (t * t / 2 + t * t * t * t / 4) / 0.75) <= share.error());
 }
