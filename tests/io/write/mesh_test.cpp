@@ -31,7 +31,7 @@ TEST_CASE("mesh files: OBJ counts from 1 and keeps the doubles") {
 TEST_CASE("mesh files: comments have the origin and where the frame starts, as readers take them") {
   Mesh mesh = tetrahedron;
   mesh.origin = {1, Rational(1, 2), 0};
-  SweepQuery query{{}, StartNormal({0, 0, 1})};
+  const SweepQuery query{rectangle_profile(1, 1), StartNormal({0, 0, 1})};
   mesh.remark = sweep_remark(query);
   const std::string start = "f2 at the start is along [0, 0, 1], projected to the normal plane";
   CHECK(to_obj(mesh).starts_with("# " + start + "\n# origin 1 1/2 0\nv 0 0 0\n"));
