@@ -23,10 +23,12 @@ bool is_in_closed_form(const PathAngle& angle) {
 }
 
 void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery& query) {
+  answer.formulas.reserve(angle.path().segments().size());
   for (std::size_t k = 0; k < angle.path().segments().size(); ++k) {
     const RmfAngle* closed = angle.closed_form(k);
-    answer.formulas.push_back(closed == nullptr ? std::nullopt
-                                                : std::optional(formula(*closed, query)));
+    answer.formulas.push_back(closed == nullptr
+                                  ? nullptr
+                                  : std::make_shared<const AngleFormula>(formula(*closed, query)));
   }
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "phrame/algebra/angle.hpp"
 #include "phrame/export.hpp"
 #include "phrame/integrate/other_form.hpp"
@@ -59,8 +61,8 @@ struct AngleAnswer {
   std::variant<FrameAngle, Decimal> start_angle;
   bool is_zero;      ///< is θ − θ(0) = 0 all along?
   bool is_straight;  ///< a line, where any frame that does not turn is the right one?
-  /// For each segment, if formulas are wanted: a PH segment has one, others have none.
-  std::vector<std::optional<AngleFormula>> formulas;
+  /// For each segment, if formulas are wanted: a PH segment has one, others have none, null.
+  std::vector<std::shared_ptr<const AngleFormula>> formulas;
   std::vector<AngleValue> values;  ///< where they are asked for, in that order
   ParameterKind by;                ///< by this parameter
   long digits;                     ///< of the values

@@ -20,9 +20,9 @@ InfoAnswer::Length rounded_length(const Real& length, const std::string& name, l
   return {length.exact(), rounded(length, name, digits)};
 }
 
-void add_totals(InfoAnswer& answer, long digits) {
-  const Path& path = answer.path.path;
-  const PathTotal length = total_length(path);
+void add_lengths(InfoAnswer& answer, long digits) {
+  const PathTotal length = total_length(answer.path.path);
+  answer.lengths.reserve(length.segments.size());
   answer.length = rounded_length(length.value, "the length", digits);
   for (const auto& segment : length.segments)
     answer.lengths.push_back(
@@ -31,7 +31,10 @@ void add_totals(InfoAnswer& answer, long digits) {
             : rounded_length(value_of(segment),
                              fmt::format("the length of segment {}", answer.lengths.size() + 1),
                              digits));
-  const auto energy = bending_energy(path);
+}
+
+void add_energy(InfoAnswer& answer, long digits) {
+  const auto energy = bending_energy(answer.path.path);
   if (const auto* finite = std::get_if<PathTotal>(&energy))
     answer.bending_energy = rounded(*finite, "the bending energy", digits);
 }
@@ -91,7 +94,8 @@ InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
     answer.up = angle.up();
     find_together(path, {length_rate(), up_frame_rate(angle.up()), bending_rate()});
   }
-  add_totals(answer, query.digits);
+  add_lengths(answer, query.digits);
+  add_energy(answer, query.digits);
   for (const Corner& corner : corners(path))
     answer.corners.push_back(
         {corner.segment, rounded_or_zero(corner.angle, "the angle of a corner", query.digits)});

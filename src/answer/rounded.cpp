@@ -18,8 +18,9 @@ Decimal rounded(const PathTotal& total, const std::string& name, long digits) {
   const bool is_closed_form =
       std::none_of(total.segments.begin(), total.segments.end(),
                    [](const auto& of) { return std::holds_alternative<Real>(of); });
-  return is_closed_form ? rounded(total.value, name, digits)
-                        : rounded_or_zero(total.value, name, digits);
+  return is_closed_form || total.value.origin().is_irrational
+             ? rounded(total.value, name, digits)
+             : rounded_or_zero(total.value, name, digits);
 }
 
 Decimal rounded_or_zero(const Real& x, const std::string& name, long digits, long shown_digits) {

@@ -73,6 +73,7 @@ std::vector<Real> parameters_of(const std::vector<GivenSegment>& segments) {
       curve != nullptr && segments.size() == 1)
     return formula_parameters(*curve);
   std::vector<Real> joints;
+  joints.reserve(segments.size() + 1);
   for (const GivenSegment& segment : segments) {
     if (!segment.parameters) return {};
     const auto& [from, to] = *segment.parameters;

@@ -70,10 +70,10 @@ std::vector<GivenSegment> segments_of(const CubicInterpolation& data,
   return segments;
 }
 
-/// The spline, without the derivatives of a clamped one.
-CubicInterpolation interpolation_of(const GivenPoints& given, const Settings& settings,
-                                    SplineEnds ends, const std::string& place) {
-  CubicInterpolation data{given.points, given.parameters, ends};
+/// The spline, without the derivatives of a clamped one. Points and parameters are taken.
+CubicInterpolation interpolation_of(GivenPoints& given, const Settings& settings, SplineEnds ends,
+                                    const std::string& place) {
+  CubicInterpolation data{std::move(given.points), std::move(given.parameters), ends};
   if (ends == SplineEnds::periodic && data.points.front() != data.points.back())
     data.points.push_back(data.points.front());
   try {
@@ -119,7 +119,7 @@ std::vector<GivenSegment> polyline(const GivenPoints& given, const std::string& 
 }
 
 /// The C¹ spline with the derivatives given.
-std::vector<GivenSegment> hermite_segments(const GivenPoints& given, const Settings& settings,
+std::vector<GivenSegment> hermite_segments(GivenPoints& given, const Settings& settings,
                                            const std::string& place,
                                            const PointPlace& place_of_point) {
   refuse_setting(settings, "kind", "derivatives are given, so that the spline is known");
@@ -258,7 +258,7 @@ PointCurve control_curve(const GivenPoints& given, std::vector<Rational> weights
   return result;
 }
 
-PointCurve table_curve(const NumberTable& table, const GivenPoints& given, const Settings& settings,
+PointCurve table_curve(const NumberTable& table, GivenPoints& given, const Settings& settings,
                        TableKind kind, const CurveLimits& limits) {
   std::vector<Rational> weights = read_weights(table);
   const PointPlace place = [&](std::size_t k) {

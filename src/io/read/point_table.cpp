@@ -83,6 +83,7 @@ class PointLayout {
   GivenPoints read(const NumberTable& table) const {
     GivenPoints given;
     given.is_planar = points_.columns.size() == 2;
+    given.points.reserve(table.rows());
     for (std::size_t row = 0; row < table.rows(); ++row) {
       given.points.push_back(table.vector(row, points_));
       if (!derivatives_.columns.empty())

@@ -187,7 +187,7 @@ std::string rate_text(const AngleAnswer& answer) {
         answer.up ? "−(v·H) det(v, H, H′)/(|H| |v × H|²)" : "−|H| det(H, H′, H″)/|H × H′|²",
         no_closed_form(answer));
   const bool has_formulas = std::any_of(answer.formulas.begin(), answer.formulas.end(),
-                                        [](const auto& formula) { return formula.has_value(); });
+                                        [](const auto& formula) { return formula != nullptr; });
   if (!has_formulas) return text;
   if (answer.formulas.size() > 1) return text + "\n" + formulas_text(answer);
   if (const auto& g = answer.formulas.front()->bend)

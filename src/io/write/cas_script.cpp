@@ -272,7 +272,7 @@ std::string to_script(const IntegralAnswer& answer, Language language) {
 }
 
 std::string to_script(const AngleAnswer& answer, Language language) {
-  const AngleFormula& formula = answer.formulas.front().value();
+  const AngleFormula& formula = *answer.formulas.front();
   const ClosedForm closed = closed_form(formula.antiderivative, formula.other, language, "t");
   const std::string text = script(
       {{"integrand", cas_formula(formula.rate, language, "t")}, {"antiderivative", closed.formula}},

@@ -132,7 +132,7 @@ std::vector<std::size_t> closed_forms_of_some(const Row& row) {
   if (!row.total) return found;
   const auto& segments = row.total->segments;
   for (std::size_t k = 0; k < segments.size(); ++k)
-    if (std::holds_alternative<CurveTotal>(segments[k])) found.push_back(k + 1);
+    if (closed_form(segments[k]) != nullptr) found.push_back(k + 1);
   if (found.size() == segments.size()) found.clear();
   return found;
 }
@@ -140,7 +140,7 @@ std::vector<std::size_t> closed_forms_of_some(const Row& row) {
 /// Of a curve by itself that has one.
 const CurveTotal* closed_form(const Row& row) {
   const bool is_of_curve = row.value && row.total && row.total->segments.size() == 1;
-  return is_of_curve ? std::get_if<CurveTotal>(&row.total->segments.front()) : nullptr;
+  return is_of_curve ? closed_form(row.total->segments.front()) : nullptr;
 }
 
 bool is_energy(const Row& row) {

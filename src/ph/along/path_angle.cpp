@@ -143,6 +143,7 @@ struct PHRAME_INSIDE PathAngle::State {
 
 PathAngle::State::State(const Path& along, Measure by) : path(along), measure(std::move(by)) {
   const auto& segments = path.segments();
+  closed_forms.reserve(segments.size());
   Stage stage("segments", segments.size());
   for (std::size_t k = 0; k < segments.size(); ++k, stage.advance()) {
     closed_forms.emplace_back();
@@ -226,6 +227,7 @@ RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
   const long more = enough + 32;              // for sums of many terms
   const std::lock_guard lock(sums_lock);
   std::vector<RealBall>& known = sums[enough];
+  known.reserve(path.segments().size() + 1);
   if (known.empty()) known.emplace_back();
   while (known.size() <= segment) {
     const std::size_t k = known.size();

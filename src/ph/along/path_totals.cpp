@@ -9,6 +9,7 @@
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/along/total_rates.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
@@ -79,10 +80,10 @@ Real to_real(const Surd& x) {
   return x.is_rational() ? sum : known_irrational(sum);
 }
 
-void add_to(Terms& terms, const CurveTotal& total) {
-  if (total.value.exact() == Rational(0)) return;
-  const auto [group, quotient] = group_of(terms.groups, total.radicand);
-  group.integrals.push_back(without_root(total, quotient));
+void add_to(Terms& terms, const std::shared_ptr<const CurveTotal>& total) {
+  if (total->value.exact() == Rational(0)) return;
+  const auto [group, quotient] = group_of(terms.groups, total->radicand);
+  group.integrals.push_back(without_root(*total, quotient));
 }
 
 void add_to(Terms& terms, const Surd& sum) {
@@ -131,7 +132,7 @@ PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
 }
 
 PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
-  if (const auto* only = std::get_if<CurveTotal>(&segments.front()); only && segments.size() == 1) {
+  if (const CurveTotal* only = closed_form(segments.front()); only && segments.size() == 1) {
     PathTotal total{{}, only->value, std::nullopt};
     if (only->exact) total.exact = {{only->radicand, *only->exact}};
     total.segments = std::move(segments);
@@ -147,31 +148,76 @@ PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
 using SegmentTotal = std::variant<PathTotal::OfSegment, Infinite>;
 using OfSegment = SegmentTotal (*)(const Segment&);
 
-/// Of a long path only a ball around a term is kept, and where more digits are asked for it is what
-/// `of` finds again.
-Real kept_term(const Real& term, const Path& path, std::size_t k, OfSegment of) {
-  constexpr long first_bits = 112;
-  const bool is_short = path.segments().size() <= most_kept_integrals ||
-                        std::holds_alternative<ExpressionCurve>(path.segments()[k]);
-  if (term.exact() || is_short) return term;
-  return Real([path, k, of, first = term.enclose(first_bits)](long bits) {
-    if (bits <= first_bits) return first;
-    return std::get<Real>(std::get<PathTotal::OfSegment>(of(path.segments()[k]))).enclose(bits);
+constexpr long first_bits = 96;
+
+/// The term, of which only a ball is kept; where more digits are asked for it is found again.
+template <class Again>
+Real kept_ball(const Real& term, const Again& again) {
+  return Real([again, first = term.enclose(first_bits)](long bits) {
+    return bits <= first_bits ? first : again().enclose(bits);
   });
+}
+
+/// Of a long path only balls are kept.
+Real kept_term(const Real& term, const std::shared_ptr<const Path>& path, std::size_t k,
+               OfSegment of) {
+  const bool is_short = path->segments().size() <= most_kept_integrals ||
+                        std::holds_alternative<ExpressionCurve>(path->segments()[k]);
+  if (term.exact() || is_short) return term;
+  return kept_ball(term, [path, k, of] {
+    return std::get<Real>(std::get<PathTotal::OfSegment>(of(path->segments()[k])));
+  });
+}
+
+/// Of several PH curves the sum, where it is seen to be irrational, and not known in finite terms,
+/// for that of the first one is not: without closed forms, which take long and are not asked for.
+std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
+                                        TotalRate (*rate_of)(const Curve&)) {
+  if (path.segments().size() == 1 || !path.is_ph()) return std::nullopt;
+  const SegmentTotal first = of(path.segments().front());
+  const auto* finite = std::get_if<PathTotal::OfSegment>(&first);
+  const CurveTotal* form = finite == nullptr ? nullptr : closed_form(*finite);
+  if (form == nullptr || form->exact) return std::nullopt;
+  const auto shared = std::make_shared<const Path>(path);
+  std::vector<Real> terms;
+  RealBall value;
+  RealBall rational;
+  Stage stage("segments", path.segments().size());
+  for (std::size_t k = 0; k < path.segments().size(); ++k, stage.advance()) {
+    const auto term = [shared, k, rate_of] {
+      return value_without_closed_form(rate_of(*ph_curve(shared->segments()[k])));
+    };
+    const TotalRate rate = rate_of(*ph_curve(path.segments()[k]));
+    const auto found = value_without_closed_form(rate);
+    if (!found) return std::nullopt;
+    terms.push_back(kept_ball(*found, [term] { return *term(); }));
+    value = add(value, terms.back().enclose(first_bits), first_bits);
+    rational = add(rational, RealBall(without_logarithms(rate), first_bits), first_bits);
+  }
+  if (value.overlaps(rational)) return std::nullopt;
+  return PathTotal{{terms.begin(), terms.end()}, known_irrational(sum_of(terms)), std::nullopt};
 }
 
 std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of) {
   std::vector<PathTotal::OfSegment> segments;
+  segments.reserve(path.segments().size());
+  const auto shared = std::make_shared<const Path>(path);
   Stage stage("segments", path.segments().size());
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     SegmentTotal total = of(path.segments()[k]);
     if (const auto* infinite = std::get_if<Infinite>(&total))
       return Infinite{*algebraic_parameter(Place(k, infinite->pole)), k};
     auto& term = segments.emplace_back(std::get<PathTotal::OfSegment>(std::move(total)));
-    if (auto* real = std::get_if<Real>(&term)) *real = kept_term(*real, path, k, of);
+    if (auto* real = std::get_if<Real>(&term)) *real = kept_term(*real, shared, k, of);
     stage.advance();
   }
   return sum_of(std::move(segments));
+}
+
+std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of,
+                                           TotalRate (*rate_of)(const Curve&)) {
+  if (auto sum = irrational_sum(path, of, rate_of)) return *std::move(sum);
+  return sum_over(path, of);
 }
 
 PathTotal finite_sum_over(const Path& path, OfSegment of) {
@@ -187,13 +233,17 @@ SegmentTotal by_kind(const Segment& segment, const OfPh& of_ph, const OfOther& o
   return visit_curve([&](const auto& curve) { return SegmentTotal(of_other(curve)); }, segment);
 }
 
+SegmentTotal shared(CurveTotal total) {
+  return std::make_shared<const CurveTotal>(std::move(total));
+}
+
 SegmentTotal either(std::variant<CurveTotal, Infinite> total) {
-  if (auto* finite = std::get_if<CurveTotal>(&total)) return *std::move(finite);
+  if (auto* finite = std::get_if<CurveTotal>(&total)) return shared(*std::move(finite));
   return std::get<Infinite>(total);
 }
 
 SegmentTotal length_of(const Segment& segment) {
-  if (const Curve* curve = ph_curve(segment)) return total_length(*curve);
+  if (const Curve* curve = ph_curve(segment)) return shared(total_length(*curve));
   const SegmentIntegral length = arc_length(segment);
   if (auto sum = length.algebraic_value(1)) return *std::move(sum);
   return length.value(Rational(1));
@@ -202,7 +252,7 @@ SegmentTotal length_of(const Segment& segment) {
 // Of a PH curve by its positions √ρ/σ is this, too, with a square root as it is of any curve.
 SegmentTotal curvature_of(const Segment& segment) {
   if (const Curve* curve = ph_curve(segment))
-    if (auto total = total_curvature(*curve)) return *std::move(total);
+    if (auto total = total_curvature(*curve)) return shared(*std::move(total));
   return bending_angle(segment).value(Rational(1));
 }
 
@@ -233,9 +283,11 @@ Real other_torsion(const ExpressionCurve& curve) {
   return Rational(-curve.orientation()) * frenet_angle(curve).value(Rational(1));
 }
 
+SegmentTotal erf_twist_of(const Segment& segment) { return shared(erf_twist(*ph_curve(segment))); }
+
 SegmentTotal torsion_of(const Segment& segment) {
   return by_kind(
-      segment, [](const Curve& curve) { return total_torsion(curve); },
+      segment, [](const Curve& curve) { return shared(total_torsion(curve)); },
       [](const auto& curve) { return other_torsion(curve); });
 }
 
@@ -380,9 +432,14 @@ Rational squared_cosine_of_ends(const Path& path) {
 }  // namespace
 
 Real value_of(const PathTotal::OfSegment& segment) {
-  if (const auto* total = std::get_if<CurveTotal>(&segment)) return total->value;
+  if (const CurveTotal* total = closed_form(segment)) return total->value;
   if (const auto* sum = std::get_if<Surd>(&segment)) return to_real(*sum);
   return std::get<Real>(segment);
+}
+
+const CurveTotal* closed_form(const PathTotal::OfSegment& segment) {
+  const auto* total = std::get_if<std::shared_ptr<const CurveTotal>>(&segment);
+  return total == nullptr ? nullptr : total->get();
 }
 
 PathTotal total_length(const Path& path) { return finite_sum_over(path, length_of); }
@@ -394,24 +451,20 @@ PathTotal total_curvature(const Path& path) {
   return total;
 }
 
-PathTotal total_torsion(const Path& path) { return finite_sum_over(path, torsion_of); }
+PathTotal total_torsion(const Path& path) {
+  return std::get<PathTotal>(sum_over(path, torsion_of, total_torsion_rate));
+}
 
 std::variant<PathTotal, Infinite> bending_energy(const Path& path) {
-  return sum_over(path, bending_of);
+  return sum_over(path, bending_of, bending_energy_rate);
 }
 
 std::variant<PathTotal, Infinite> frenet_energy(const Path& path) {
-  return sum_over(path, frenet_energy_of);
+  return sum_over(path, frenet_energy_of, frenet_energy_rate);
 }
 
 PathTotal erf_twist(const PhPath& path) {
-  std::vector<PathTotal::OfSegment> segments;
-  Stage stage("segments", path.segments().size());
-  for (const Curve& curve : path.segments()) {
-    segments.emplace_back(erf_twist(curve));
-    stage.advance();
-  }
-  return sum_of(std::move(segments));
+  return std::get<PathTotal>(sum_over(path, erf_twist_of, erf_twist_rate));
 }
 
 Real reference_twist(const PathAngle& angle) {

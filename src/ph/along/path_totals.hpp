@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "phrame/algebra/surd.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -18,7 +20,7 @@ struct PathTotal {
   /// The integral along one segment: in closed form along a PH curve that has one; along others a
   /// sum of square roots where it is seen to be one, else a number that is certain to any number of
   /// digits.
-  using OfSegment = std::variant<CurveTotal, Surd, Real>;
+  using OfSegment = std::variant<std::shared_ptr<const CurveTotal>, Surd, Real>;
   std::vector<OfSegment> segments;  ///< what each adds, without corners
   /// Exact where it is seen to be rational, also where what is irrational of different segments
   /// cancels.
@@ -29,6 +31,8 @@ struct PathTotal {
 };
 /// The value as a number.
 PHRAME_API Real value_of(const PathTotal::OfSegment& segment);
+/// The closed form, null where there is none.
+PHRAME_API const CurveTotal* closed_form(const PathTotal::OfSegment& segment);
 
 /// ∫ ds = ∫ |r′| dt.
 PHRAME_API PathTotal total_length(const Path& path);

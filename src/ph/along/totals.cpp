@@ -4,7 +4,9 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/taylor_integral.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/along/total_rates.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
@@ -52,26 +54,42 @@ CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomia
   return result;
 }
 
-/// √radicand · ∫₀¹ sgn(orientation)·rate dt.
-CurveTotal total(RationalFunction rate, const Polynomial& orientation,
-                 const Rational& radicand = 1) {
-  if (sign_after_zero(orientation) < 0) rate = -rate;
-  return total(rate, integrate(rate), orientation, radicand);
+/// With the sign of the orientation.
+TotalRate oriented(RationalFunction rate, const Polynomial& orientation,
+                   RationalFunction known = {}) {
+  if (sign_after_zero(orientation) < 0) return {-rate, orientation, -known};
+  return {std::move(rate), orientation, std::move(known)};
 }
 
-/// ∫ rate for a rate that has the derivative of `known` in it, as integrate() has it: f and f −
-/// known′ have antiderivatives with the same logarithms.
-Antiderivative integrate_beside(const RationalFunction& known, const RationalFunction& rate) {
-  Antiderivative F = integrate(rate - differentiate(known));
-  F.rational = F.rational + known;
+/// As integrate() has it: f and f − known′ have antiderivatives with the same logarithms.
+Antiderivative integrate(const TotalRate& of) {
+  if (of.known.is_zero()) return integrate(of.rate);
+  Antiderivative F = integrate(of.rate - differentiate(of.known));
+  F.rational = F.rational + of.known;
   return F;
+}
+
+CurveTotal total(const TotalRate& of, const Rational& radicand = 1) {
+  return total(of.rate, integrate(of), of.orientation, radicand);
+}
+
+/// The torsion τ·ds/dt is that of the twist and (arg bend)′.
+struct TorsionParts {
+  RationalFunction twist;
+  GaussianPolynomial bend;
+};
+
+TorsionParts torsion_parts(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  if (sign_after_zero(curve.multiplier()) > 0) return {-rate_to_erf(a), conjugate(regular_bend(a))};
+  return {rate_to_erf(a), regular_bend(a)};
 }
 
 /// ∫ rate for the rate `twist` + (arg bend)′, as integrate() has it. Where no residue of `twist` is
 /// ±i/2 and no pole is a zero of the bend, the argument of the bend is that part of the integral
 /// whose residues are ±i/2, so that nothing is to be found out.
-Antiderivative integrate_turning(const RationalFunction& twist, const GaussianPolynomial& bend,
-                                 const RationalFunction& rate) {
+Antiderivative integrate_turning(const TorsionParts& parts, const RationalFunction& rate) {
+  const auto& [twist, bend] = parts;
   const Polynomial& n = twist.numerator();
   const Polynomial& d = twist.denominator();
   const Polynomial slope = differentiate(d);
@@ -98,58 +116,75 @@ std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
 
 CurveTotal total_length(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
-  return total(RationalFunction(speed), curve.multiplier());
+  return total(oriented(RationalFunction(speed), curve.multiplier()));
 }
 
-CurveTotal erf_twist(const Curve& curve) {
-  return total(-rate_to_erf(curve.preimage()), Polynomial{1});
+TotalRate erf_twist_rate(const Curve& curve) {
+  return {-rate_to_erf(curve.preimage()), Polynomial{1}};
+}
+
+CurveTotal erf_twist(const Curve& curve) { return total(erf_twist_rate(curve)); }
+
+TotalRate bending_energy_rate(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  return oriented({rho(a), curve.multiplier() * pow(sigma(a), 3)}, curve.multiplier());
 }
 
 std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
-  const QuaternionPolynomial& a = curve.preimage();
-  const RationalFunction rate(rho(a), curve.multiplier() * pow(sigma(a), 3));
-  if (const auto infinite = pole_on_path(rate)) return *infinite;
-  return total(rate, curve.multiplier());
+  const TotalRate of = bending_energy_rate(curve);
+  if (const auto infinite = pole_on_path(of.rate)) return *infinite;
+  return total(of);
 }
 
 // τ fσ is 2h/σ − b with b = Im(g′/g), N = |g|² and
 //   b² = ½ Re(g′/g)′ − ½ Re(g″/g) + |g′|²/(2N),  Re(g′/g) = N′/(2N),
 // so that b²/(fσ) is (N′/(4N·fσ))′ plus what has N in the denominator only once: the rational part
 // of the integral is known as far as N is in it.
-std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
+TotalRate frenet_energy_rate(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
-  RationalFunction rate = squared_frenet_rate(curve) * RationalFunction(speed);
-  if (const auto infinite = pole_on_path(rate)) return *infinite;
   const Polynomial size = norm(regular_bend(curve.preimage()));
-  RationalFunction known(differentiate(size), Rational(4) * size * speed);
-  if (sign_after_zero(curve.multiplier()) < 0) {
-    rate = -rate;
-    known = -known;
-  }
-  return total(rate, integrate_beside(known, rate), curve.multiplier());
+  return oriented(squared_frenet_rate(curve) * RationalFunction(speed), curve.multiplier(),
+                  {differentiate(size), Rational(4) * size * speed});
+}
+
+std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
+  const TotalRate of = frenet_energy_rate(curve);
+  if (const auto infinite = pole_on_path(of.rate)) return *infinite;
+  return total(of);
+}
+
+TotalRate total_torsion_rate(const Curve& curve) {
+  const auto [twist, bend] = torsion_parts(curve);
+  return {twist + rate_of_argument(bend), curve.multiplier()};
 }
 
 CurveTotal total_torsion(const Curve& curve) {
-  const QuaternionPolynomial& a = curve.preimage();
-  RationalFunction twist = rate_to_erf(a);
-  GaussianPolynomial bend = regular_bend(a);
-  if (sign_after_zero(curve.multiplier()) > 0) {
-    twist = -twist;
-    bend = conjugate(bend);
-  }
-  const RationalFunction rate = twist + rate_of_argument(bend);
-  return total(rate, integrate_turning(twist, bend, rate), curve.multiplier());
+  const TotalRate of = total_torsion_rate(curve);
+  return total(of.rate, integrate_turning(torsion_parts(curve), of.rate), of.orientation);
+}
+
+std::optional<Real> value_without_closed_form(const TotalRate& of) {
+  if (!odd(real_roots(of.orientation, open_interval(0, 1))).empty()) return std::nullopt;
+  if (count_real_roots(of.rate.denominator(), closed_interval(0, 1)) > 0) return std::nullopt;
+  return TaylorIntegral({of.rate.numerator(), of.rate.denominator()}).value(1);
+}
+
+Rational without_logarithms(const TotalRate& of) {
+  Antiderivative F =
+      algebraic_part(of.known.is_zero() ? of.rate : of.rate - differentiate(of.known)).F;
+  F.rational = F.rational + of.known;
+  return difference_without_logarithms(F, 0, 1);
 }
 
 std::optional<CurveTotal> total_curvature(const Curve& curve) {
   const auto square = double_ph(curve.preimage());
   if (!square) return std::nullopt;
   const RationalFunction rate(square->omega, sigma(curve.preimage()));
-  if (square->constant == 0) return total({}, Polynomial{1});
+  if (square->constant == 0) return total(TotalRate{{}, Polynomial{1}});
   // √(n/d) = (root/d)·√rest for nd = root²·rest.
   const Integer d(denominator(square->constant));
   const auto [root, rest] = split_square(Integer(numerator(square->constant)) * d);
-  return total(RationalFunction(Polynomial{Rational(root, d)}) * rate, square->omega,
+  return total(oriented(RationalFunction(Polynomial{Rational(root, d)}) * rate, square->omega),
                Rational(rest));
 }
 

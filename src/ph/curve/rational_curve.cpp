@@ -16,6 +16,11 @@ Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
   return {exact_quotient(v[0], by), exact_quotient(v[1], by), exact_quotient(v[2], by)};
 }
 
+/// ∫₀ᵗ p·h.
+Polynomial integral(const Polynomial& p, const Polynomial& h) {
+  return p.is_constant() ? p.coefficient(0) * antiderivative(h) : antiderivative(p * h);
+}
+
 void refuse_zeros(const Polynomial& weight) {
   const std::vector<Interval> zeros = located_real_roots(weight, closed_interval(0, 1));
   if (zeros.empty()) return;
@@ -54,9 +59,17 @@ RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomi
   for (Polynomial& x : direction_) x *= Rational(1) / scale;
   multiplier_ *= scale;
 
-  // Splines have thousands of segments.
+  if (weight_.is_constant())
+    for (Polynomial& x : numerator_) x = Polynomial{x.coefficient(0)};
   for (Vector<Polynomial>* v : {&numerator_, &direction_})
     for (Polynomial& x : *v) x = compact(std::move(x));
+}
+
+Vector<Polynomial> RationalCurve::numerator() const {
+  if (!weight_.is_constant()) return numerator_;
+  Vector<Polynomial> X = numerator_;
+  for (std::size_t k = 0; k < 3; ++k) X[k] += integral(multiplier_, direction_[k]);
+  return X;
 }
 
 RationalCurve RationalCurve::turned_over() const {
@@ -81,8 +94,13 @@ Vector<Polynomial> binormal(const RationalCurve& curve) {
 }
 
 Vector<Rational> point(const RationalCurve& curve, const Rational& t) {
-  const Rational w = curve.weight()(t);
-  Vector<Rational> r = evaluate(curve.numerator(), t);
+  Vector<Rational> r = evaluate(curve.numerator_, t);
+  if (curve.weight_.is_constant()) {
+    for (std::size_t k = 0; t != 0 && k < 3; ++k)
+      r[k] += integral(curve.multiplier_, curve.direction_[k])(t);
+    return r;
+  }
+  const Rational w = curve.weight_(t);
   for (Rational& x : r) x /= w;
   return r;
 }

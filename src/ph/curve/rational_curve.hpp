@@ -16,7 +16,8 @@ class PHRAME_API RationalCurve {
   /// cancel, and for a single point.
   explicit RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight = {1});
 
-  const Vector<Polynomial>& numerator() const { return numerator_; }  ///< X
+  /// X, which of a polynomial curve is ∫ p·H, found anew.
+  Vector<Polynomial> numerator() const;
   const Polynomial& weight() const { return weight_; }                ///< W > 0 on [0, 1]
   const Vector<Polynomial>& direction() const { return direction_; }  ///< H
   const Polynomial& multiplier() const { return multiplier_; }        ///< p
@@ -25,9 +26,10 @@ class PHRAME_API RationalCurve {
   RationalCurve turned_over() const;
 
   friend bool operator==(const RationalCurve&, const RationalCurve&) = default;
+  friend PHRAME_API Vector<Rational> point(const RationalCurve& curve, const Rational& t);
 
  private:
-  Vector<Polynomial> numerator_;
+  Vector<Polynomial> numerator_;  ///< where W = 1 only X(0): a spline has thousands of curves
   Polynomial weight_;
   Vector<Polynomial> direction_;
   Polynomial multiplier_;
