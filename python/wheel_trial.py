@@ -28,6 +28,7 @@ except phrame.InputError as error:
     assert error.place
 else:
     raise AssertionError("1/0 is accepted")
+assert len(phrame.reference()) > 300 and phrame.reference("plane")[0].path.name == "plane-01"
 quickstart.main()
 
 curve.page(os.path.join(here, "curve.html"))  # which needs npm when the wheel is made, and nothing here

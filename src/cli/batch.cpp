@@ -8,7 +8,6 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_scheduler_observer.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,9 +18,9 @@
 #include <fstream>
 #include <unordered_set>
 
-#include "phrame/algebra/out_of_memory.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/line_stream.hpp"
+#include "phrame/cli/prepared_threads.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::inline v0::cli {
@@ -144,16 +143,6 @@ class BatchProgress {
   bool is_terminal_ = isatty(STDERR_FILENO) != 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
-};
-
-/// Each thread that answers lines has beforehand what it needs to say that memory is short.
-class PreparedThreads : public oneapi::tbb::task_scheduler_observer {
- public:
-  PreparedThreads() { observe(true); }
-  ~PreparedThreads() override { observe(false); }
-  void on_scheduler_entry(bool is_worker) override {
-    if (is_worker) prepare_thread();
-  }
 };
 
 /// A line of the input, and its answer.

@@ -9,6 +9,7 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/cli/collection.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/prepared_threads.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/text.hpp"
@@ -154,6 +155,7 @@ void write_collection(const std::vector<CollectedCurve>& curves, const std::vect
   write_plainly(folder / "totals.csv", totals);
   for (const long n : counts) fs::create_directories(folder / "frames" / std::to_string(n));
   Stage stage("curves", curves.size());
+  const PreparedThreads prepared;
   oneapi::tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t k) {
     const CollectedCurve& curve = curves[k];
     write_plainly(folder / "curves" / (curve.name + ".json"), curve.line + "\n");

@@ -1,7 +1,7 @@
 """examples/kit: the program of each language that is there writes tables of frames for the collection, and phrame check --suite
 finds that they are by a method of order 4; frames that are wrong are told what is wrong.
 
-Rust is compiled with PHRAME_TEST_MULTIPLIER above 1 only.
+The tables of docs/audit.md are those of its log. Rust is compiled with PHRAME_TEST_MULTIPLIER above 1 only.
 """
 import json
 import os
@@ -12,7 +12,8 @@ import tempfile
 from pathlib import Path
 
 PROGRAM = os.environ["PHRAME_PROGRAM"]
-KIT = Path(__file__).resolve().parents[2] / "examples/kit"
+ROOT = Path(__file__).resolve().parents[2]
+KIT = ROOT / "examples/kit"
 
 
 def phrame(*arguments, status=0):
@@ -73,5 +74,15 @@ def main():
         phrame("check", "--suite", mine, status=2)
 
 
+def check_audit():
+    """The tables of docs/audit.md are those of its log."""
+    sys.path.insert(0, str(ROOT / "tools/audit"))
+    import audit
+    page = audit.PAGE.read_text()
+    for mark, table in audit.rendered(json.loads(audit.LOG.read_text())).items():
+        assert "<!-- %s -->\n%s\n<!-- end -->" % (mark, table) in page, "docs/audit.md has another table %s than its log" % mark
+
+
 if __name__ == "__main__":
+    check_audit()
     main()

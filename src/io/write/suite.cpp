@@ -17,10 +17,12 @@ std::string table_text(const Table& table) {
   std::vector<std::string> lines(table.size());
   for (std::size_t column = 0; column < table.front().size(); ++column) {
     std::vector<std::string> cells;
-    for (const auto& row : table) cells.push_back(row[column]);
+    for (const auto& row : table) {
+      const std::string& cell = row[column];
+      cells.push_back(cell.starts_with('-') ? "−" + cell.substr(1) : cell);
+    }
     cells = aligned(cells);
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      lines[k] += (column == 0 ? "  " : "  ") + cells[k];
+    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] += "  " + cells[k];
   }
   std::string text;
   for (std::string& line : lines) {
