@@ -27,6 +27,7 @@
 #include "phrame/answer/path_twist.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"
+#include "phrame/answer/transform.hpp"
 #include "phrame/answer/wronskian.hpp"
 
 // What is read.
@@ -39,6 +40,7 @@
 #include "phrame/io/read/frame_csv.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/profile.hpp"
+#include "phrame/io/read/roll.hpp"
 
 // What is written.
 #include "phrame/io/write/answers.hpp"

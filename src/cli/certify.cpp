@@ -14,9 +14,8 @@ struct CertifyOptions {
 
 void run(const CertifyOptions& options) {
   const auto reference = chosen_reference(options.frame);
-  std::vector<Rational> at = options.parameters.values();
+  auto [named, at] = options.curve.read_curve_at(options.parameters);
   if (at.empty()) at.emplace_back(1);
-  const NamedCurve named = options.curve.read_curve();
   write_output(options.curve.output,
                write_certificate(certify(named.curve, reference, at, options.digits), named.name,
                                  named.near));
@@ -29,7 +28,7 @@ void add_certify(Program& program) {
   const auto options = std::make_shared<CertifyOptions>();
   options->curve.add_to(command);
   command.writes("a certificate in JSON", {"json"});
-  options->parameters.add_values_to(command);
+  options->parameters.add_to(command);
   add_digits(command, options->digits);
   add_reference(command, options->frame,
                 "what the angle is measured from: erf (default) or frenet");

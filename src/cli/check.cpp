@@ -8,10 +8,9 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/cli/collection.hpp"
-#include "phrame/cli/command.hpp"
 #include "phrame/cli/exchange.hpp"
+#include "phrame/cli/given_frames.hpp"
 #include "phrame/io/better_reading.hpp"
-#include "phrame/io/frame_parameters.hpp"
 #include "phrame/io/write/check.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/suite.hpp"
@@ -57,56 +56,6 @@ FrameReading reading(const Command& command, const CheckOptions& options) {
   return reading;
 }
 
-/// Do they need other parameters: have they none, or some that the curve does not have, as times?
-bool lacks_parameters(const GivenTable& table, const Path& path) {
-  if (!table.has_parameters) return true;
-  if (goes_on(path) || table.positions.size() != table.frames.size()) return false;
-  return std::ranges::any_of(
-      table.frames, [&](const GivenFrame& frame) { return frame.t < 0 || frame.t > path.end(); });
-}
-
-/// Are they those of the curve at the t of the table? Then that t is right.
-bool has_places(const GivenTable& table, const Path& path) {
-  if (!table.has_parameters || table.positions.size() != table.frames.size()) return false;
-  return !lacks_parameters(table, path) &&
-         are_on_curve(path, table.positions, Rational(1, 1'000'000));
-}
-
-/// Other t for the frames than those of the table, with how they are found; no value where these
-/// are right, or no others.
-std::optional<FrameParameters> parameters_on(const NamedPath& named, const GivenTable& table,
-                                             const std::optional<ParameterKind>& by) {
-  if (by == ParameterKind::t) return std::nullopt;
-  if (by) {
-    FrameParameters found = parameters_by(*by, named, table.frames);
-    found.what.clear();  // as was asked for
-    return found;
-  }
-  if (table.has_parameters && !has_places(table, named.path))
-    if (auto found = better_parameters(named, table.frames)) {
-      found->what = "t is taken for " + found->what;
-      return found;
-    }
-  if (!lacks_parameters(table, named.path)) return std::nullopt;
-  FrameParameters found = frame_parameters(named.path, table.positions);
-  found.what = "t is taken from the positions: " + found.what;
-  return found;
-}
-
-/// The frames, on the curve; `reading` gets their parameters where the table has others.
-GivenTable read_on(const NamedPath& named, const std::string& bytes, const std::string& file,
-                   const std::optional<ParameterKind>& by, FrameReading& reading,
-                   std::string& taken) {
-  GivenTable table = at_place(file, ":", [&] { return read_frames(bytes, reading); });
-  for (const std::string& text : table.notes) note_at_end(fmt::format("{}: {}", file, text));
-  auto found = at_place(file, ":", [&] { return parameters_on(named, table, by); });
-  if (!found) return table;
-  taken = found->what;
-  if (!taken.empty()) note_at_end(fmt::format("{}: {}", file, taken));
-  reading.parameters = std::move(found->t);
-  return read_frames(bytes, reading);
-}
-
 /// Throws InputError where the frame that is compared with agrees with all there is.
 void require_enough(const std::vector<GivenFrame>& frames, const FrameCheckOptions& options,
                     const std::string& file) {
@@ -130,16 +79,15 @@ FrameCheckOptions measure_of(const CheckOptions& options) {
 
 /// A table, and what is found in it.
 struct Checked {
-  GivenTable table;
-  std::string taken;  ///< how t is found, where that is not as it stands there
+  FramesOnCurve given;
   CheckAnswer answer;
 };
 
 Checked checked(const Command& command, const NamedPath& named, const std::string& bytes,
                 const std::string& file, const std::optional<ParameterKind>& by,
                 const FrameCheckOptions& measure, FrameReading& reading) {
-  std::string taken;
-  GivenTable table = read_on(named, bytes, file, by, reading, taken);
+  FramesOnCurve given = read_on_curve(named, bytes, file, by, reading);
+  const GivenTable& table = given.table;
   if (!table.has_quaternions && !table.has_matrices)
     command.refuse({"--quaternion", "--tangent-axis", "--inverse"},
                    "is for quaternions; the table has vectors");
@@ -147,7 +95,7 @@ Checked checked(const Command& command, const NamedPath& named, const std::strin
     command.refuse({"--quaternion"}, "is for quaternions; the table has matrices");
   require_enough(table.frames, measure, file);
   CheckAnswer found = answer(named, CheckQuery{table.frames, measure});
-  return {std::move(table), std::move(taken), std::move(found)};
+  return {std::move(given), std::move(found)};
 }
 
 /// The tables in a folder, and in the folders there, by their names without endings.
@@ -253,11 +201,11 @@ void run(const Command& command, const CheckOptions& options) {
   const std::string file = name_of_file(options.frames);
   std::optional<ParameterKind> by;
   if (command.is_given("--by")) by = choose("--by", options.by, parameter_kinds());
-  if (by) require_parameter(named.path, *by);
   const Checked found = checked(command, named, bytes, file, by, measure, reading);
-  TableReading shown{found.table.columns, found.table.skipped};
-  shown.parameters = found.taken;
-  if (const auto better = better_reading(found.answer, bytes, reading, found.table))
+  const auto& [table, taken] = found.given;
+  TableReading shown{table.columns, table.skipped};
+  shown.parameters = taken;
+  if (const auto better = better_reading(found.answer, bytes, reading, table))
     shown.better = {to_options(better->reading), better->passes};
   options.length.write(options.curve.output, print(found.answer, shown));
   if (!found.answer.verdict.passes) throw AnswerNo{};

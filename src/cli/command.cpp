@@ -8,9 +8,9 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/exchange.hpp"
 #include "phrame/io/read/angle.hpp"
-#include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_table.hpp"
+#include "phrame/io/read/roll.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/text.hpp"
@@ -35,7 +35,10 @@ template <class Source>
 NamedPath read_any(const Source& source, const CurveOptions& options) {
   CurveLimits limits = options.limits;
   if (options.gap) limits.gap = parse_positive_option("--gap", *options.gap);
-  return phrame::read_any_path(source, limits, options.reading);
+  FileReading reading = options.reading;
+  if (options.path != "-" && Exchange::current() == nullptr)
+    reading.beside = files_beside(options.path);
+  return phrame::read_any_path(source, limits, reading);
 }
 
 NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
@@ -151,26 +154,6 @@ void RollOption::add_to(Command& command) {
   command.not_with({"--roll"}, {"--roll-column"});
 }
 
-namespace {
-
-Roll rolled(const std::string& text) {
-  const std::vector<std::string> parts = split({text});
-  if (parts.size() > 1) {
-    std::vector<Angle> angles;
-    for (const std::string& part : parts) angles.push_back(parse_angle_option("--roll", part));
-    return Roll(angles);
-  }
-  const bool are_degrees = text.ends_with("deg");
-  std::string formula = are_degrees ? text.substr(0, text.size() - 3) : text;
-  formula.erase(formula.find_last_not_of(' ') + 1);
-  const RationalFunction f =
-      at_place("--roll", ", ", [&] { return parse_expression(formula, "t").value; });
-  if (!are_degrees) return Roll::Piece{RationalFunction(), f};
-  return Roll::Piece{RationalFunction(Polynomial{Rational(1, 180)}) * f, RationalFunction()};
-}
-
-}  // namespace
-
 std::vector<Rational> CurveOptions::column(const std::string& option,
                                            const std::string& name) const {
   if (path == "-" && Exchange::current() == nullptr)
@@ -185,7 +168,7 @@ std::string RollOption::column_name() const {
 }
 
 Roll RollOption::chosen(const CurveOptions& curve) const {
-  if (roll) return rolled(*roll);
+  if (roll) return at_place("--roll", ", ", [&] { return parse_roll(with_plain_minus(*roll)); });
   if (!column) return {};
   const bool are_degrees = column->ends_with(":deg");
   std::vector<Angle> angles;
@@ -235,9 +218,33 @@ NamedCurve CurveOptions::read_curve() const {
   const NamedPhPath named = near || given_path(path, reading) || !reading.is_plain()
                                 ? read_path()
                                 : NamedPhPath(read_by(read_one_curve, *this));
+  return one_curve(named);
+}
+
+NamedCurve CurveOptions::one_curve(const NamedPhPath& named) const {
   if (!named.path.is_curve())
     throw InputError(name_of_file(path) + ":/phrame", "this is a spline; one curve is wanted");
   return {named.name, named.path.segments().front(), named.near};
+}
+
+std::pair<NamedCurve, std::vector<Rational>> CurveOptions::read_curve_at(
+    const Parameters& asked) const {
+  std::vector<Rational> at = asked.given();
+  if (asked.kind() == ParameterKind::t) {
+    for (long k = 0; k < asked.samples; ++k) at.emplace_back(k, asked.samples - 1);
+    return {read_curve(), std::move(at)};
+  }
+  const NamedPath named = read_any_path();
+  const Parametrization along = asked.on(named);
+  std::vector<Rational> ts;
+  for (const ParameterPoint& point : along.points(at, asked.samples)) {
+    const Real t = parameter(point.at);
+    if (!t.exact())
+      throw InputError("--by", fmt::format("at {} t is irrational, and here it is a fraction",
+                                           approximate(point.value.enclose(64))));
+    ts.push_back(*t.exact());
+  }
+  return {one_curve(at_place(path, ":", [&] { return ph_path_of(named); })), std::move(ts)};
 }
 
 NamedPhPath CurveOptions::read_path() const {
@@ -318,23 +325,42 @@ NamedPath CurveOptions::read_near_or_any() const {
   return read;
 }
 
-void add_by(Command& command, std::string& by, const std::string& what) {
-  command.add_choice("--by", by, keys(parameter_kinds()),
+void add_by(Command& command, std::string& by, const std::string& what, bool has_times) {
+  std::vector<std::string> names = keys(parameter_kinds());
+  std::string more;
+  if (has_times) {
+    names.emplace_back("time");
+    more = ";\ntime: of a motion with --feed";
+  }
+  command.add_choice("--by", by, std::move(names),
                      what +
                          ", 0 to the number of segments;\n"
                          "native: the parameter of the file, as knots, times and s of formulas\n"
-                         "are; unit: t over the number of segments; arc-length, or fraction of it");
+                         "are; unit: t over the number of segments; arc-length, or fraction of it" +
+                         more);
 }
 
-void Parameters::add_to(Command& command) {
-  add_values_to(command);
-  add_by(command, by, "what --at and --samples are values of: t (default)");
-  command.only_with({"--by"}, {"--at", "--samples"});
+void Parameters::add_to(Command& command, const std::vector<std::string>& others, bool has_times) {
+  command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
+  command.add_number("--samples", samples, {2, 10'000'000},
+                     "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
+  std::vector<std::string> all{"--at", "--samples"};
+  all.insert(all.end(), others.begin(), others.end());
+  add_by(command, by,
+         fmt::format("what {} are values of: t (default)",
+                     fmt::join(all, all.size() > 2 ? ", " : " and ")),
+         has_times);
+  command.only_with({"--by"}, all);
 }
 
 void require_parameter(const Path& path, ParameterKind kind) {
   if (kind == ParameterKind::unit && path.segments().size() == 1)
     throw InputError("--by", "\"unit\" is t itself along one segment");
+}
+
+Real t_by(const NamedPath& named, ParameterKind kind, const Rational& x) {
+  require_parameter(named.path, kind);
+  return parameter(at_option("--by", [&] { return Parametrization(named, kind); }).point(x).at);
 }
 
 ParameterKind Parameters::kind() const { return choose("--by", by, parameter_kinds()); }
@@ -344,21 +370,9 @@ Parametrization Parameters::on(const NamedPath& named) const {
   return at_option("--by", [&] { return Parametrization(named, kind()); });
 }
 
-void Parameters::add_values_to(Command& command) {
-  command.add_list("--at", "T,...", at, "values of t, separated by commas: 0,1/2,-3,0.25");
-  command.add_number("--samples", samples, {2, 10'000'000},
-                     "N equally spaced values of t from start to end (N ≥ 2), after those of --at");
-}
-
 std::vector<Rational> Parameters::given() const {
   std::vector<Rational> result;
   for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
-  return result;
-}
-
-std::vector<Rational> Parameters::values() const {
-  std::vector<Rational> result = given();
-  for (long k = 0; k < samples; ++k) result.emplace_back(k, samples - 1);
   return result;
 }
 

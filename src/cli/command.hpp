@@ -50,6 +50,8 @@ struct CurveOptions {
   // Read the curve, with --near the one that is near what is no PH curve, which a line on stderr
   // then says; an InputError's place starts with the path.
   NamedCurve read_curve() const;
+  /// With the t that are asked for. Throws InputError for one that is no fraction.
+  std::pair<NamedCurve, std::vector<Rational>> read_curve_at(const struct Parameters& asked) const;
   NamedPhPath read_path() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
   /// line on stderr says what --near gives closed forms. Another one tells of corners that are no
@@ -60,6 +62,7 @@ struct CurveOptions {
   std::vector<Rational> column(const std::string& option, const std::string& name) const;
 
  private:
+  NamedCurve one_curve(const NamedPhPath& named) const;
   NamedPath read_near_or_any() const;
   void add_curve_to(Command& command);
 };
@@ -68,11 +71,15 @@ struct CurveOptions {
 /// straight line, where every frame that does not turn is right.
 std::string needs_ph(const Path& path);
 
-/// --by, of which `what` tells up to its first name, t.
-void add_by(Command& command, std::string& by, const std::string& what);
+/// --by, of which `what` tells up to its first name, t; it may be by times of a motion, too.
+void add_by(Command& command, std::string& by, const std::string& what, bool has_times = false);
 
 /// Throws InputError where it is t by another name.
 void require_parameter(const Path& path, ParameterKind kind);
+
+/// The t of a path that has this parameter. Throws InputError at the option where there is no such
+/// parameter, and DomainError for what is not on the path.
+Real t_by(const NamedPath& named, ParameterKind kind, const Rational& x);
 
 /// Where a path is asked: --at, --samples and --by.
 struct Parameters {
@@ -80,15 +87,14 @@ struct Parameters {
   long samples = 0;
   std::string by = "t";
 
-  void add_to(Command& command);
-  /// All but --by.
-  void add_values_to(Command& command);
+  /// `others` take values of t, too.
+  void add_to(Command& command, const std::vector<std::string>& others = {},
+              bool has_times = false);
+  bool are_times() const { return by == "time"; }
   ParameterKind kind() const;
   /// Throws InputError where it is by a parameter that the path does not have.
   Parametrization on(const NamedPath& named) const;
   std::vector<Rational> given() const;  ///< of --at, in that order
-  /// These, then the N equally spaced ones on [0, 1].
-  std::vector<Rational> values() const;
 };
 
 /// The parts of lists separated by commas, in order, without blanks around them; an empty part is a
@@ -278,6 +284,7 @@ void add_identify(Program& program);
 void add_integrate(Program& program);
 void add_sweep(Program& program);
 void add_offset(Program& program);
+void add_transform(Program& program);
 void add_batch(Program& program);
 void add_compile(Program& program);
 void add_check(Program& program);

@@ -2,6 +2,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/c_header.hpp"
+#include "phrame/io/write/names.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -14,6 +15,7 @@ struct CompileOptions {
   UpOption up;
   std::string from = "0";
   std::string to = "1";
+  std::string by = "t";
 };
 
 /// Rounded to a double.
@@ -25,9 +27,16 @@ double rounded(const std::string& option, const std::string& text, const Real& v
 }
 
 /// From a t to another, within the limits of docs/compiled.md.
-std::pair<double, double> interval(const CompileOptions& options) {
-  const double from = rounded("--from", options.from, parse_option("--from", options.from));
-  const double to = rounded("--to", options.to, parse_option("--to", options.to));
+std::pair<double, double> interval(const Command& command, const CompileOptions& options,
+                                   const NamedPath& named) {
+  const auto kind = choose("--by", options.by, parameter_kinds());
+  const auto end = [&](const std::string& option, const std::string& text) {
+    const Rational x = parse_option(option, text);
+    const bool is_t = kind == ParameterKind::t || !command.is_given(option);
+    return rounded(option, text, is_t ? Real(x) : t_by(named, kind, x));
+  };
+  const double from = end("--from", options.from);
+  const double to = end("--to", options.to);
   const auto refuse = [&options](const std::string& separator, const std::string& why) {
     throw InputError("--to", "\"" + abbreviated(options.to) + "\"" + separator + why);
   };
@@ -57,7 +66,6 @@ void run(const Command& command, const CompileOptions& options) {
   query.start = options.start.start();
   if (const auto& angle = options.start.angle)
     rounded("--theta0", *angle, to_real(parse_angle_option("--theta0", *angle)));
-  std::tie(query.from, query.to) = interval(options);
   if (options.prefix && !is_prefix(*options.prefix))
     throw InputError("--prefix", "\"" + abbreviated(*options.prefix) +
                                      "\" is not a letter followed by letters, digits and single _");
@@ -65,6 +73,7 @@ void run(const Command& command, const CompileOptions& options) {
   query.up = options.up.chosen(
       named.path, query.reference == Reference::up || (options.start.is_up() && !query.reference));
   require_frame(command, options, named.path, query);
+  std::tie(query.from, query.to) = interval(command, options, named);
   options.start.check(named.path, query.up, query.reference);
   write_output(options.curve.output,
                to_c_header(answer(named, query), options.prefix.value_or(prefix_from(named.name))));
@@ -88,6 +97,8 @@ void add_compile(Program& program) {
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_option("--from", "T", options->from, "the least t (default 0), rounded to a double");
   command.add_option("--to", "T", options->to, "the greatest t (default 1), rounded to a double");
+  add_by(command, options->by, "what --from and --to are values of: t (default)");
+  command.only_with({"--by"}, {"--from", "--to"});
   command.set_notes(
       "C99 without dependencies, in doubles; the header states the errors, proved with rounding\n"
       "included, usually below 2^-51 for the angle and 2^-50 for the frame.\n"

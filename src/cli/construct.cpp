@@ -5,6 +5,7 @@
 
 #include "phrame/answer/construction.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/frame_node.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/pose_file.hpp"
@@ -102,9 +103,12 @@ PoseReading pose_reading(const Command& command, const ConstructOptions& options
 GivenPoints given_points(const Command& command, const ConstructOptions& options,
                          const std::string& bytes) {
   const bool are_poses = command.is_given("--tangent-axis") || is_pose_file(bytes);
-  if (are_poses) return read_poses(bytes, pose_reading(command, options), options.reading);
+  if (are_poses) {
+    options.reading.refuse_picking("a list of poses");
+    return read_poses(bytes, pose_reading(command, options), options.reading);
+  }
   command.refuse(pose_options(), "is for poses: --tangent-axis says that a table has them");
-  return read_points(bytes, options.reading);
+  return read_waypoints(bytes, options.reading);
 }
 
 /// Where another axis is so much nearer to the chords that it may have been meant.
@@ -144,8 +148,11 @@ void add_construct(Program& program) {
       program.add("construct", "an exact PH curve or spline through points, as near as asked");
   const auto options = std::make_shared<ConstructOptions>();
   command.add_argument("DATA", options->data,
-                       "points: JSON, a table of text or of NumPy; \"-\" for standard input");
+                       "points: JSON, a table of text or of NumPy, or lines of a file that other\n"
+                       "commands read; \"-\" for standard input");
   add_skip_invalid(command, options->reading);
+  command.add_option("--pick", "NAME", options->reading.pick,
+                     "of a file with several curves, the one of this name");
   std::vector<std::string> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
   command.add_choice("--kind", options->kind, kinds,

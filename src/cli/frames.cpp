@@ -7,10 +7,12 @@
 #include "phrame/answer/table_row.hpp"
 #include "phrame/cli/row_stream.hpp"
 #include "phrame/cli/twist_options.hpp"
+#include "phrame/io/read/feedrate.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/along/travel_time.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -30,6 +32,7 @@ struct FramesOptions {
   bool skips_undefined = false;
   std::optional<std::string> duration;  ///< of a camera path, in seconds
   std::string fps = "24";               ///< frames a second, in Blender
+  std::optional<std::string> feed;      ///< of the motion at whose times the rows are
 };
 
 const std::vector<std::string>& camera_formats() {
@@ -121,8 +124,9 @@ bool has_twist_frames(const TableColumns& columns) {
 /// Adds the frames of minimal twist that there are columns for: through the orientations that come
 /// with the path, unless others are asked for. The angles at their ends are those to the
 /// Euler–Rodrigues frame where the rational one is among them, of which it is a turn.
-void add_twist_frames(TableColumns& columns, const TwistOptions& options, const NamedPath& named,
+void add_twist_frames(TableColumns& columns, const FramesOptions& asked, const NamedPath& named,
                       const PathAngle& angle) {
+  const TwistOptions& options = asked.twist;
   const bool is_rational = has_frame(columns, TabulatedFrame::mtf);
   const PathAngle measured = is_rational ? PathAngle(angle.path()) : angle;
   if (named.frame && !options.has_ends()) {
@@ -134,8 +138,10 @@ void add_twist_frames(TableColumns& columns, const TwistOptions& options, const 
   }
   if (!is_rational) return;
   constexpr long digits = 17;
-  columns.mtf =
-      twist_frames(*columns.exact_mtf, options.rotation(digits), options.subdivision(angle.path()));
+  columns.mtf = twist_frames(
+      *columns.exact_mtf, options.rotation(digits),
+      options.subdivision(
+          named, asked.parameters.are_times() ? ParameterKind::t : asked.parameters.kind()));
 }
 
 /// What make() makes of the table.
@@ -158,9 +164,30 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
     throw InputError("--frame", "\"mtf\" " + needs_ph(angle.path()));
 }
 
+/// Where a motion is at times.
+AskedRows rows_at_times(const NamedPath& named, const FramesOptions& options) {
+  if (!options.feed) throw InputError("--by", "\"time\" needs --feed");
+  if (options.twist.subdivide) throw InputError("--subdivide", "does not apply with --by time");
+  TravelTime motion(named.path,
+                    at_place("--feed", ", ", [&] { return parse_feedrate(*options.feed); }));
+  std::vector<Rational> times = options.parameters.given();
+  std::vector<Place> at;
+  for (const Rational& time : times) at.push_back(motion.at_time(time).at);
+  std::vector<Real> values(times.begin(), times.end());
+  const long samples = options.parameters.samples;
+  for (long k = 0; k < samples; ++k) {
+    const bool is_end = k + 1 == samples;
+    values.push_back(Rational(k, samples - 1) * motion.total());
+    times.push_back(approximated(values.back()));
+    at.push_back(is_end ? motion.end().at : motion.at_time(times.back()).at);
+  }
+  return {RowPlaces(std::move(at), std::move(times)), std::move(values)};
+}
+
 /// Where the rows are, in the parameter that is asked for. A frame of minimal twist ends with the
 /// curve.
 AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& options) {
+  if (options.parameters.are_times()) return rows_at_times(named, options);
   const Path& path = named.path;
   const Parametrization by = options.parameters.on(named);
   const std::vector<Rational> asked = options.parameters.given();
@@ -196,13 +223,14 @@ struct TableUse {
   const NamedPath& named;
   FrameRows& rows;
   const AskedRows& asked;
-  ParameterKind by;
+  std::string column;  ///< of what the rows were asked for by
 };
 
 /// Reads the path and gives its table to `use`.
 template <class Use>
 void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use) {
-  const ParameterKind by = options.parameters.kind();
+  const bool are_times = options.parameters.are_times();
+  const ParameterKind by = are_times ? ParameterKind::t : options.parameters.kind();
   chosen.start = options.start.start();
   chosen.roll = options.roll.chosen(options.curve);
   if (options.roll.is_given() && std::ranges::any_of(chosen.scalars, [](TabulatedScalar scalar) {
@@ -224,7 +252,7 @@ void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use
   require_frames(chosen, angle);
   options.start.check(path, angle.reference());
   const bool has_twist = has_twist_frames(chosen);
-  if (has_twist) add_twist_frames(chosen, options.twist, named, angle);
+  if (has_twist) add_twist_frames(chosen, options, named, angle);
   if (by == ParameterKind::arc_length &&
       std::ranges::find(chosen.scalars, TabulatedScalar::arc_length) == chosen.scalars.end())
     chosen.scalars.push_back(TabulatedScalar::arc_length);
@@ -233,14 +261,13 @@ void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use
       choose<Side>("--side", options.side,
                    {{"right", Side::right}, {"left", Side::left}, {"both", Side::both}}));
   FrameRows rows(angle, chosen, asked.places);
-  use(TableUse{named, rows, asked, by});
+  use(TableUse{named, rows, asked, are_times ? "time" : column_of(by)});
 }
 
 FrameTable table_of(const TableColumns& columns, const TableUse& use) {
   FrameTable table = tabulated(columns, [&] { return frame_table(use.rows); });
   table.near = use.named.near;
-  if (!use.asked.values.empty())
-    add_column(table, column_of(use.by), use.asked.values, columns.digits);
+  if (!use.asked.values.empty()) add_column(table, use.column, use.asked.values, columns.digits);
   return table;
 }
 
@@ -313,7 +340,10 @@ void add_frames(Program& program) {
   Command& command = program.add("frames", "a table of t, r, e1 and frame vectors");
   const auto options = std::make_shared<FramesOptions>();
   options->curve.add_to(command);
-  options->parameters.add_to(command);
+  options->parameters.add_to(command, {"--subdivide"}, true);
+  command.add_option("--feed", "EXPR", options->feed,
+                     "the speed of the motion, as of phrame interpolate: 50, or '10 + 2*s'");
+  command.only_with({"--feed"}, {"--by time"});
   command.add_choices(
       "--frame", options->frames, keys(frame_names()),
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
@@ -349,7 +379,7 @@ void add_frames(Program& program) {
                      "csv (default), json or npy; a camera path as glb, gltf or a script for\n"
                      "blender, with keys of place and rotation");
   command.add_option("--duration", "SECONDS", options->duration,
-                     "of the camera path (default: t, or arc length, are seconds)");
+                     "of the camera path (default: t, arc length or times are seconds)");
   command.only_with({"--duration"}, camera_formats());
   command.add_option("--fps", "N", options->fps, "frames a second in Blender (default 24)");
   command.only_with({"--fps"}, {"--format blender"});
@@ -364,7 +394,8 @@ void add_frames(Program& program) {
       "All numbers are correctly rounded doubles, or decimals with --digits. e1 is A i A*/|A|^2, "
       "the unit tangent\n"
       "where the multiplier is positive and its opposite where it is negative, as is n then.\n"
-      "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded.\n"
+      "--by arc-length evaluates at the exact t of each arc length; column t is that t, rounded,\n"
+      "and --by time --feed V where a motion with the speed V is at each time.\n"
       "The RMF turns at the rate curvature, the Frenet frame at frenet_rate = sqrt(curvature^2 +\n"
       "torsion^2), per unit of arc length.\n"
       "A matrix has the columns e1, two vectors of the frame and x, y, z. A quaternion turns the\n"

@@ -56,8 +56,8 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   query.samples = options.parameters.samples;
   if (path.is_ph() && !query.up) {
     if (!options.is_exact_only)
-      query.rational = {options.twist.rotation(options.digits), options.twist.subdivision(path),
-                        is_asked_for};
+      query.rational = {options.twist.rotation(options.digits),
+                        options.twist.subdivision(named, options.parameters.kind()), is_asked_for};
     return answer(named, query);
   }
   command.refuse(about, path.is_ph() ? "is of rational frames, whose angles are not those of --up"
@@ -106,7 +106,7 @@ void add_mtf(Program& program) {
   command.add_flag("--wronskian", options->is_wronskian,
                    "instead the rational frame that is next to a rotation-minimizing one, of a\n"
                    "pair of polynomials with ab' - a'b = 2h sigma (preimages of degree 1 and 2)");
-  options->parameters.add_to(command);
+  options->parameters.add_to(command, {"--subdivide"});
   add_digits(command, options->digits);
   command.add_format("--print", options->print, {"text", "json", "latex"},
                      "text (default), json or latex");

@@ -1,7 +1,7 @@
 #include "phrame/answer/page.hpp"
 
-#include "phrame/cli/command.hpp"
-#include "phrame/io/read/frame_csv.hpp"
+#include "phrame/cli/given_frames.hpp"
+#include "phrame/io/write/names.hpp"
 #include "phrame/io/write/page.hpp"
 
 namespace phrame::inline v0::cli {
@@ -14,18 +14,22 @@ struct PageOptions {
   long samples = 241;
   std::optional<std::string> end_normal;
   std::optional<std::string> frames;  ///< the name of a table
+  std::string by = "t";
 };
 
 /// Frames that somebody else has. Throws InputError.
-std::vector<GivenFrame> given_frames(const PageOptions& options) {
+std::vector<GivenFrame> given_frames(const Command& command, const PageOptions& options,
+                                     const NamedPath& named) {
   if (!options.frames) return {};
-  if (options.curve.path == "-" && *options.frames == "-")
-    throw InputError("page", "the curve and the frames are both to be read from standard input");
-  const std::string bytes = read_file(*options.frames);
-  return at_place(name_of_file(*options.frames), ":", [&] { return read_frames(bytes).frames; });
+  std::optional<ParameterKind> by;
+  if (command.is_given("--by")) by = choose("--by", options.by, parameter_kinds());
+  FrameReading reading;
+  return read_on_curve(named, read_file(*options.frames), name_of_file(*options.frames), by,
+                       reading)
+      .table.frames;
 }
 
-void run(const PageOptions& options) {
+void run(const Command& command, const PageOptions& options) {
   if (!has_pages())
     throw InputError("page", "this phrame was built without npm, which bundles what a page needs");
   PageQuery query;
@@ -33,8 +37,10 @@ void run(const PageOptions& options) {
   query.start = options.start.given();
   if (options.end_normal)
     query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
-  query.given = given_frames(options);
+  if (options.curve.path == "-" && options.frames == "-")
+    throw InputError("page", "the curve and the frames are both to be read from standard input");
   const NamedPath named = options.curve.read_any_path();
+  query.given = given_frames(command, options, named);
   query.up = options.up.chosen(named.path, options.start.is_up());
   options.start.check(named.path, query.up);
   write_output(options.curve.output, to_page(answer(named, query)));
@@ -51,7 +57,10 @@ void add_page(Program& program) {
                      "at least so many places along the curve (default 241)", "N");
   command.add_option("--frames", "FILE", options->frames,
                      "a table of frames by another program, as phrame check reads it: they are\n"
-                     "shown beside the exact ones, at their t, with their error");
+                     "shown beside the exact ones, at their places, with their error");
+  add_by(command, options->by,
+         "what t is in that table (default: found out, if it is not ours): t");
+  command.only_with({"--by"}, {"--frames"});
   options->start.add_to(command, StartOptions::Rule::least_rotation,
                         "default, or as the first of --frames");
   command.add_option("--end-normal", "X,Y,Z", options->end_normal,

@@ -8,14 +8,17 @@ namespace {
 struct ProveOptions {
   CurveOptions curve;
   std::string at = "1";
+  std::string by = "t";
   long digits = 20;
 };
 
 void run(const ProveOptions& options) {
-  const Rational t = parse_option("--at", options.at);
-  if (t <= 0) throw InputError("--at", as_written(t) + " is not positive");
-  const NamedCurve named = options.curve.read_curve();
-  write_output(options.curve.output, coq_proof(answer(named.curve, CoqQuery{t, options.digits})));
+  const Rational x = parse_option("--at", options.at);
+  if (options.by == "t" && x <= 0) throw InputError("--at", as_written(x) + " is not positive");
+  const auto [named, at] = options.curve.read_curve_at({{options.at}, 0, options.by});
+  if (at.front() <= 0) throw InputError("--at", as_written(x) + " is the start of the curve");
+  write_output(options.curve.output,
+               coq_proof(answer(named.curve, CoqQuery{at.front(), options.digits})));
 }
 
 }  // namespace
@@ -26,6 +29,8 @@ void add_prove(Program& program) {
   options->curve.add_to(command);
   command.writes("a file for Coq", {"v"});
   command.add_option("--at", "T", options->at, "t > 0 (default 1)");
+  add_by(command, options->by, "what --at is a value of: t (default)");
+  command.only_with({"--by"}, {"--at"});
   add_digits(command, options->digits);
   command.set_notes(
       "The theorem is about the angle to the Euler-Rodrigues frame. coqc accepts the file in "

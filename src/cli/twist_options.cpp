@@ -1,5 +1,6 @@
 #include "phrame/cli/twist_options.hpp"
 
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 
 namespace phrame::inline v0::cli {
@@ -64,7 +65,8 @@ std::pair<FrameStart, std::optional<FrameStart>> TwistOptions::ends(const Path& 
   return {start, std::nullopt};
 }
 
-Subdivision TwistOptions::subdivision(const Path& path) const {
+Subdivision TwistOptions::subdivision(const NamedPath& named, ParameterKind by) const {
+  const Path& path = named.path;
   const std::string option = "--subdivide";
   Subdivision wanted;
   if (!subdivide) return wanted;
@@ -81,7 +83,11 @@ Subdivision TwistOptions::subdivision(const Path& path) const {
       if (*wanted.tolerance <= 0)
         throw InputError(option, "\"" + abbreviated(part) + "\": the error must be positive");
     } else {
-      wanted.at.push_back(at_parameter(option, part));
+      const Rational x = at_parameter(option, part);
+      // At an irrational t it is divided next to that.
+      wanted.at.push_back(by == ParameterKind::t
+                              ? x
+                              : rounded_to_places(t_by(named, by, x).enclose(128).midpoint(), 64));
       if (wanted.at.back() < 0 || wanted.at.back() > path.end())
         throw InputError(option, "the parameter " + abbreviated(part) + " is outside [0, " +
                                      to_string(path.end()) + "]");

@@ -30,7 +30,7 @@ struct TwistOptions {
   /// the tangent, and DomainError for --closed of a path that is not.
   std::pair<FrameStart, std::optional<FrameStart>> ends(const Path& path) const;
   /// Throws InputError for a point that is not on the spline, too.
-  Subdivision subdivision(const Path& path) const;
+  Subdivision subdivision(const NamedPath& named, ParameterKind by) const;
   /// For results with so many digits.
   RationalTwistOptions rotation(long digits) const;
 };

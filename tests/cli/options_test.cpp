@@ -66,6 +66,7 @@ const std::vector<std::string> calls{
     "sweep plane.json --profile circle:1/2",
     "sweep plane.json --profile circle:1/2 --exact --format json",
     "offset corner.json --distance 1/2",
+    "transform spline.json",
     "compile plane.json",
     "compile spline.json",
     "check quintic.json frames.csv",
@@ -120,6 +121,11 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--fps", "30"},
                                                 {"--places", "3"},
                                                 {"--distance", "1/4"},
+                                                {"--part", "1/4,3/2"},
+                                                {"--split", "1/3"},
+                                                {"--rotate", "z,90deg"},
+                                                {"--matrix", "1,2,0,0,1,0,0,0,1"},
+                                                {"--move", "1,2,3"},
                                                 {"--question", "info"},
                                                 {"--linked-with", "spline.json"},
                                                 {"--scale-column", "radius"},
@@ -232,6 +238,30 @@ TEST_CASE("options: an option that needs another choice is refused without it") 
   }
   CHECK(done.size() == all.size());
   CHECK(conditions > 20);
+}
+
+// Places are told by any parameter; of a batch its lines say by which, and functions are of t.
+TEST_CASE("options: wherever one takes t, --by says what it is") {
+  const Workshop here;
+  long options = 0;
+  for (const Json& command : commands(here)) {
+    const std::string name = command["command"];
+    std::set<std::string> by;
+    for (const Json& option : command["options"])
+      if (option["names"].back() == "--by")
+        for (const Json& choice : option["with"]) by.insert(choice.get<std::string>());
+    for (const Json& option : command["options"]) {
+      const std::string value = option["value"], what = option["what"];
+      const bool takes_t = value == "T" || value == "T,..." || value == "FROM,TO" ||
+                           contains(what, "values of t") || contains(what, "parameters t");
+      if (!takes_t || name == "batch" || option["names"].back() == "--by") continue;
+      CAPTURE(name);
+      CAPTURE(what);
+      ++options;
+      CHECK(by.count(option["names"].back()) == 1);
+    }
+  }
+  CHECK(options >= 15);
 }
 
 TEST_CASE("options: each one, and each pair, is refused or changes the answer") {

@@ -62,6 +62,7 @@ TEST_CASE("program: each command succeeds, on the paper's quintic or a plane cub
                      {"sweep quintic.json --profile circle:1/10 --exact --end-normal 0,0,1",
                       "\ndeg 2 13\nsurf 0 1 0 1 1 2 3 "},
                      {"offset plane.json --distance 1", "4/3 + π/2"},
+                     {"transform quintic.json --scale 2", "\"preimage\""},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},
                      {"check quintic.json frames.csv", "rotation-minimizing"},
@@ -117,8 +118,8 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   check_failure(
       here.run(""), 2,
       "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-      "interpolate, construct, identify, integrate, sweep, offset, batch, compile, check, certify, "
-      "verify, prove, page, reference, help "
+      "interpolate, construct, identify, integrate, sweep, offset, transform, batch, compile, "
+      "check, certify, verify, prove, page, reference, help "
       "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");

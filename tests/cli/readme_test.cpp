@@ -83,7 +83,8 @@ TEST_CASE("documents: every command shown prints what is shown") {
                                      "/docs/poses.md",
                                      "/docs/splines.md",
                                      "/docs/sweep.md",
-                                     "/docs/totals.md"}) {
+                                     "/docs/totals.md",
+                                     "/docs/transform.md"}) {
     CAPTURE(document);
     long commands = 0;
     for (const std::string& block : blocks(content(root + document), "console")) {

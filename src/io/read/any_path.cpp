@@ -17,6 +17,7 @@
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/read/point_curve.hpp"
+#include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/polyline_file.hpp"
 #include "phrame/io/read/rational_node.hpp"
@@ -26,6 +27,8 @@
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/io/read/three_file.hpp"
 #include "phrame/io/read/three_scene.hpp"
+#include "phrame/io/write/text.hpp"
+#include "phrame/ph/curve/direction_span.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -126,6 +129,13 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
   return read_json_path(node, limits);
 }
 
+/// Without a byte order mark and blanks.
+std::string_view content_of(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text;
+}
+
 /// Numbers, or names of columns of which one is that of x, in the first line that says something.
 bool is_table(std::string_view text) {
   for (;;) {
@@ -172,8 +182,7 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits,
 NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
                         const FileReading& reading) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  std::string_view content = text;
-  content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+  const std::string_view content = content_of(text);
   if (is_glb_file(content)) {
     reading.refuse_skipping("an animation");
     return path_of_points(read_glb(content, reading), limits);
@@ -204,6 +213,60 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
     return path_of("", read_path_data(text, 0, text.size()), limits.gap);
   }
   return read_json_path(text, limits, reading);  // which says what it begins with, if not JSON
+}
+
+namespace {
+
+/// JSON of another program, or of phrame with a curve.
+bool is_json_curve(std::string_view text) {
+  const JsonValue document = parse_json_file(text, "file of points");
+  const JsonNode node(document);
+  if (!node.is(JsonNode::Kind::object)) return false;
+  if (is_three_scene(node) || is_gltf_file(node) || is_scipy_curve(node) || is_geomdl_file(node) ||
+      is_three_file(node))
+    return true;
+  const auto format = node.find("phrame");
+  return format && format->is(JsonNode::Kind::string) && format->string() != "points/1";
+}
+
+/// Does it hold a curve, and no points?
+bool holds_curve(std::string_view content) {
+  if (content.starts_with('{')) return is_json_curve(content);
+  return is_glb_file(content) || is_gcode_file(content) || is_g2_file(content) ||
+         is_dxf_file(content) || is_path_data(content) || is_godot_file(content) ||
+         is_polyline_file(content) || content.starts_with('<');
+}
+
+}  // namespace
+
+GivenPoints read_waypoints(std::string_view text, const FileReading& reading) {
+  const std::string_view content = content_of(text);
+  if (!holds_curve(content)) {
+    reading.refuse_picking("a list of points");
+    return read_points(text, reading);
+  }
+  FileReading of_lines = reading;
+  if (is_polyline_file(content)) of_lines.kind = "polyline";
+  const NamedPath named = read_any_path(text, {}, of_lines);
+  const auto& segments = named.path.segments();
+  GivenPoints given;
+  given.name = named.name;
+  given.notes = named.notes;
+  for (const Segment& segment : segments) {
+    const RationalCurve* curve = rational_curve(segment);
+    if (curve == nullptr || !are_on_a_line(direction_span(segment)))
+      throw InputError("", fmt::format("segment {} is no line: points or lines are wanted, and "
+                                       "this is a curve already",
+                                       given.points.size() + 1));
+    given.points.push_back(point(*curve, 0));
+  }
+  given.points.push_back(point(*rational_curve(segments.back()), 1));
+  for (const Real& t : named.parameters)
+    if (t.exact()) given.parameters.push_back(*t.exact());
+  if (given.parameters.size() != given.points.size()) given.parameters.clear();
+  given.notes.push_back(
+      fmt::format("the points are the ends of its {}", counted(segments.size(), "line")));
+  return given;
 }
 
 }  // namespace phrame

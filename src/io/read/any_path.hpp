@@ -2,6 +2,7 @@
 #include "phrame/export.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/file_reading.hpp"
+#include "phrame/ph/construct/given_points.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame::inline v0 {
@@ -21,5 +22,10 @@ PHRAME_API NamedPath read_any_path(std::string_view text, const CurveLimits& lim
 /// The same of a JSON document or a part of it, where a curve may do without "phrame": "curve/1".
 PHRAME_API NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits = {},
                                    const FileReading& reading = {});
+
+/// Points that a curve is to pass: those of read_points() or, of a file of another format that
+/// consists of lines, as OBJ, G-code, DXF and SVG may, their ends. Throws as read_points() and
+/// read_any_path(), and InputError for a segment that is no line.
+PHRAME_API GivenPoints read_waypoints(std::string_view text, const FileReading& reading = {});
 
 }  // namespace phrame

@@ -17,11 +17,12 @@
 namespace phrame::inline v0 {
 namespace {
 
-/// The values of dⁿr/dsⁿ at t, all components at once, kept for the bits that were asked for last.
+/// The values of dⁿr/dsⁿ at t, or of dⁿr/dtⁿ, all components at once, kept for the bits that were
+/// asked for last.
 class DerivativeValues {
  public:
-  DerivativeValues(const ExpressionCurve& curve, std::size_t order, const Real& t)
-      : curve_(curve), order_(order), t_(t) {}
+  DerivativeValues(const ExpressionCurve& curve, std::size_t order, const Real& t, bool is_by_t)
+      : curve_(curve), order_(order), t_(t), is_by_t_(is_by_t) {}
 
   RealBall enclose(std::size_t component, long bits) const {
     return (*known_.get(bits, [&](const auto*) { return computed(bits + 8); }))[component];
@@ -32,8 +33,9 @@ class DerivativeValues {
   Vector<RealBall> computed(long bits) const {
     const auto n = static_cast<long>(order_);
     const Vector<BallPolynomial> r = curve_.series(t_.enclose(bits), 1, n + 1, bits);
-    RealBall scale(n == 3 ? 6 : std::max(n, 1L), bits);
-    if (n > 0) {
+    RealBall scale(1, bits);
+    for (long k = 2; k <= n; ++k) scale = multiply(scale, RealBall(k, bits), bits);
+    if (n > 0 && !is_by_t_) {
       const RealBall length =
           subtract(constant_value(curve_.to(), bits), constant_value(curve_.from(), bits), bits);
       scale = divide(scale, pow(length, n, bits), bits);
@@ -46,8 +48,18 @@ class DerivativeValues {
   ExpressionCurve curve_;
   std::size_t order_;
   Real t_;
+  bool is_by_t_;
   Refined<Vector<RealBall>> known_;
 };
+
+Vector<Real> values_of(const ExpressionCurve& curve, std::size_t order, const Real& t,
+                       bool is_by_t) {
+  const auto values = std::make_shared<const DerivativeValues>(curve, order, t, is_by_t);
+  Vector<Real> result{Rational(0), Rational(0), Rational(0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = Real([values, k](long bits) { return values->enclose(k, bits); });
+  return result;
+}
 
 /// A constant, exact where its form shows a fraction.
 Real value_of(const Formula& f) {
@@ -151,10 +163,7 @@ Vector<Real> direction(const RationalCurve& curve, const Real& t) {
 }
 
 Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const Real& t) {
-  const auto values = std::make_shared<const DerivativeValues>(curve, order, t);
-  Vector<Real> result{Rational(0), Rational(0), Rational(0)};
-  for (std::size_t k = 0; k < 3; ++k)
-    result[k] = Real([values, k](long bits) { return values->enclose(k, bits); });
+  Vector<Real> result = values_of(curve, order, t, false);
   if (!t.exact()) return result;
   FormulaProgram program;
   const ExactVector exact = exact_derivative(curve, order, *t.exact(), program);
@@ -174,6 +183,34 @@ Vector<Real> position(const Path& path, const Place& at) {
     return {component(X[0]), component(X[1]), component(X[2])};
   }
   return derivative(std::get<ExpressionCurve>(segment), 0, at.t);
+}
+
+Vector<Real> derivative(const Path& path, std::size_t order, const Place& at) {
+  if (order == 0) return position(path, at);
+  const Segment& segment = path.segments()[at.segment];
+  Vector<Real> result{Rational(0), Rational(0), Rational(0)};
+  if (const RationalCurve* curve = rational_curve(segment)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      RationalFunction x(curve->numerator()[k], curve->weight());
+      for (std::size_t n = 0; n < order; ++n) x = differentiate(x);
+      result[k] = value(x, at);
+    }
+    return result;
+  }
+  // dⁿr/dsⁿ·(b − a)ⁿ, where that is seen to be a fraction.
+  const auto& formulas = std::get<ExpressionCurve>(segment);
+  result = values_of(formulas, order, at.t, true);
+  const std::vector<Real> ends = formula_parameters(formulas);
+  const Real length = ends[1] + -ends[0];
+  if (order > 3 || !at.t.exact()) return result;
+  const Vector<Real> by_s = derivative(formulas, order, at.t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!by_s[k].exact() || !(length.exact() || *by_s[k].exact() == 0)) continue;
+    Rational x = *by_s[k].exact();
+    for (std::size_t n = 0; n < order && x != 0; ++n) x *= *length.exact();
+    result[k] = x;
+  }
+  return result;
 }
 
 Vector<Real> direction(const Path& path, const Place& at) {

@@ -61,5 +61,7 @@ PHRAME_API Vector<Real> direction_slope(const Path& path, const Place& at);
 /// @}
 /// dⁿr/dsⁿ, n ≤ 3, by the parameter s of the formulas, exact where t is and the form shows it.
 PHRAME_API Vector<Real> derivative(const ExpressionCurve& curve, std::size_t order, const Real& t);
+/// dⁿr/dtⁿ on the segment there, by its t, exact as position() is, and of formulas for n ≤ 3.
+PHRAME_API Vector<Real> derivative(const Path& path, std::size_t order, const Place& at);
 
 }  // namespace phrame
