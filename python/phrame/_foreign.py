@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from importlib import import_module
 from typing import Any, Callable, Dict
 
@@ -122,7 +123,54 @@ def _of_pyvista(curve: Any) -> Any:
     return _polyline(curve, [curve.points[k] for k in lines[1:]])
 
 
+def _of_occt(curve: Any) -> Any:
+    """An edge or a wire of Open CASCADE, as cadquery and build123d have them: of each edge the B-spline that Open CASCADE
+    makes of it, in its place and sense. Ends that are apart by rounding are joined, as those of files."""
+    from ._phrame import parse
+
+    shape = getattr(curve, "wrapped", curve)
+    kind = type(shape).__name__
+    if kind not in ("TopoDS_Edge", "TopoDS_Wire"):
+        raise _refuse(curve, f"a {type(curve).__name__} is no curve: an edge or a wire is")
+    edges = [shape]
+    if kind == "TopoDS_Wire":
+        explorer, edges = import_module("OCP.BRepTools").BRepTools_WireExplorer(shape), []
+        while explorer.More():
+            edges.append(explorer.Current())
+            explorer.Next()
+    if not edges:
+        raise _refuse(curve, "the wire has no edges")
+    return parse(json.dumps({"phrame": "spline/1", "segments": [_nurbs_of_edge(curve, edge) for edge in edges]}))
+
+
+def _nurbs_of_edge(curve: Any, edge: Any) -> Dict[str, Any]:
+    if import_module("OCP.BRep").BRep_Tool.Degenerated_s(edge):
+        raise _refuse(curve, "an edge of it is a point")
+    adaptor = import_module("OCP.BRepAdaptor").BRepAdaptor_Curve(edge)
+    trimmed = import_module("OCP.Geom").Geom_TrimmedCurve(adaptor.Curve().Curve(), adaptor.FirstParameter(), adaptor.LastParameter())
+    spline = import_module("OCP.GeomConvert").GeomConvert.CurveToBSplineCurve_s(trimmed)
+    spline.Transform(adaptor.Trsf())
+    if spline.IsPeriodic():
+        spline.SetNotPeriodic()
+    if edge.Orientation() == import_module("OCP.TopAbs").TopAbs_Orientation.TopAbs_REVERSED:
+        spline.Reverse()
+    points = [spline.Pole(k) for k in range(1, spline.NbPoles() + 1)]
+    segment = {
+        "phrame": "nurbs/1" if spline.IsRational() else "bspline/1",
+        "degree": spline.Degree(),
+        "knots": [float(spline.Knot(k)).hex() for k in range(1, spline.NbKnots() + 1)],
+        "multiplicities": [spline.Multiplicity(k) for k in range(1, spline.NbKnots() + 1)],
+        "control_points": [[float(x).hex() for x in (p.X(), p.Y(), p.Z())] for p in points],
+    }
+    if spline.IsRational():
+        segment["weights"] = [float(spline.Weight(k)).hex() for k in range(1, spline.NbPoles() + 1)]
+    return segment
+
+
 _PACKAGES: Dict[str, Callable[[Any], Any]] = {
+    "OCP": _of_occt,
+    "cadquery": _of_occt,
+    "build123d": _of_occt,
     "splipy": _of_splipy,
     "geomdl": _of_geomdl,
     "rhino3dm": _of_rhino3dm,

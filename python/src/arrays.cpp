@@ -11,7 +11,13 @@ FrameKind frame_kind(const std::string& name, const PathObject& self) {
                                            {{"rmf", TabulatedFrame::rmf},
                                             {"erf", TabulatedFrame::euler_rodrigues},
                                             {"up", TabulatedFrame::up},
+                                            {"mtf", TabulatedFrame::exact_mtf},
                                             {"frenet", TabulatedFrame::frenet}});
+  if (kind == TabulatedFrame::exact_mtf && !self.named.frame && !self.named.path.is_closed())
+    refuse("kind",
+           "\"mtf\" is through the orientations that come with a path, or around a closed one; "
+           "path.minimal_twist(start, end).frames(ts) is between two ends",
+           nb::str(name.c_str()));
   const auto& segments = self.named.path.segments();
   if (kind == TabulatedFrame::euler_rodrigues && std::ranges::none_of(segments, ph_curve))
     refuse("kind", "\"erf\" is of PH curves, and " + why_not_ph(self.named.path),
@@ -29,6 +35,7 @@ struct ArrayQuery {
   ParameterKind by;
   nb::handle progress;
   std::size_t width;  ///< so many numbers for each place
+  Roll roll = {};     ///< by which frames are turned about e₁ beside
 };
 
 /// A place on a path with its frame, which a source computes when it is asked for.
@@ -73,29 +80,61 @@ Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const Arr
       });
 }
 
-/// The same along PH curves where these are not the t of places.
+/// The same from tables by this angle: along PH curves where these are not the t of places, and of
+/// frames that have no source.
 template <class Write>
-Numbers by_places(const PathObject& self, const FrameStart& start, const At& at,
-                  const ArrayQuery& asked, const Write& write) {
-  TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
-  columns.start = start;
+Numbers by_table(const PathObject& self, const PathAngle& angle, TableColumns columns, const At& at,
+                 const ArrayQuery& asked, const Write& write) {
   columns.have_quaternions = asked.width == 4;
+  columns.have_matrices = asked.width == 16;
+  columns.roll = asked.roll;
   const auto numbers = std::make_shared<DoubleArray>(at->size() * asked.width);
   run({.n = at->size(),
        .grain = 16,
        .work =
-           [=, along = Parametrization(self.named, asked.by), angle = PathAngle(self.named.path),
-            width = asked.width](std::size_t from, std::size_t to) {
+           [=, along = parametrization(self.named, asked.by), width = asked.width](std::size_t from,
+                                                                                   std::size_t to) {
              std::vector<Place> points;
              for (std::size_t k = from; k < to; ++k)
                points.push_back(at_place("ts[" + std::to_string(k) + "]",
                                          [&] { return along.point((*at)[k]).at; }));
              const FrameTable table = frame_table(angle, columns, points);
-             for (std::size_t k = from; k < to; ++k)
-               write(TablePlace{table.rows[k - from].data()}, numbers->data() + k * width);
+             for (std::size_t k = from; k < to; ++k) {
+               const double* row = table.rows[k - from].data();
+               double* out = numbers->data() + k * width;
+               if (columns.have_matrices)
+                 std::copy_n(row + 13, width, out);  // those of a body, perhaps
+               else
+                 write(TablePlace{row}, out);
+             }
            }},
       asked.progress);
   return numbers;
+}
+
+/// The frame of minimal twist through the orientations that come with a path, or around a closed
+/// one, or another frame with a roll.
+template <class Write>
+Numbers tabulated_numbers(const PathObject& self, bool is_general, const At& at,
+                          const ArrayQuery& asked, const Write& write) {
+  const Path& path = self.named.path;
+  if (asked.by == ParameterKind::t && !goes_on(path)) require_inside(*at, path.end(), asked.ts);
+  const PathAngle angle = is_general ? angle_to_up(path, asked.up) : PathAngle(path);
+  TableColumns columns{.frames = {*asked.kind}};
+  columns.start = frame_start(asked.start, asked.start_normal, StartRule::least_rotation, path,
+                              angle.reference());
+  if (asked.kind == TabulatedFrame::exact_mtf)
+    columns = without_gil([angle, as_asked = columns, frame = self.named.frame] {
+      TableColumns found = as_asked;
+      if (frame) {
+        found.exact_mtf.emplace(angle, *frame);
+        found.body = frame->axis;
+      } else {
+        found.exact_mtf = minimal_twist(angle, found.start, std::nullopt, 0);
+      }
+      return found;
+    });
+  return by_table(self, angle, std::move(columns), at, asked, write);
 }
 
 /// Along PH curves, where angles are to the Euler–Rodrigues frame.
@@ -105,7 +144,11 @@ Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& a
   const PhPath& path = self.ph->path;
   const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
                                       self.named.path, Reference::euler_rodrigues);
-  if (asked.by != ParameterKind::t) return by_places(self, from, at, asked, write);
+  if (asked.by != ParameterKind::t) {
+    TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
+    columns.start = from;
+    return by_table(self, PathAngle(self.named.path), std::move(columns), at, asked, write);
+  }
   if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
   const bool has_start = asked.kind == TabulatedFrame::rmf;
   const auto source = self.sources->closed.of({asked.kind, has_start ? from : FrameStart()}, [&] {
@@ -155,26 +198,39 @@ nb::object array_of(const PathObject& self, ArrayQuery asked, const std::vector<
   if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
   const bool is_general =
       is_erf ? !self.ph : asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start);
-  const Numbers numbers =
-      is_general ? general_numbers(self, at, asked, write) : closed_numbers(self, at, asked, write);
-  if (asked.width == 4 &&
-      (is_general || asked.by != ParameterKind::t || asked.kind == TabulatedFrame::frenet))
+  const bool is_mtf = asked.kind == TabulatedFrame::exact_mtf;
+  const bool is_tabulated = is_mtf || !asked.roll.is_zero();
+  const Numbers numbers = is_tabulated ? tabulated_numbers(self, is_general, at, asked, write)
+                          : is_general ? general_numbers(self, at, asked, write)
+                                       : closed_numbers(self, at, asked, write);
+  if (asked.width == 4 && (is_tabulated || is_general || asked.by != ParameterKind::t ||
+                           asked.kind == TabulatedFrame::frenet))
     make_continuous(*numbers);
   std::vector<std::size_t> whole{numbers->size() / asked.width};
   whole.insert(whole.end(), shape.begin(), shape.end());
   return array(numbers, whole);
 }
 
-/// A function (self, ts, start, start_normal, up, kind, by, progress) that makes arrays of this
-/// shape of frames.
+/// A function (self, ts, start, start_normal, up, kind, by, roll, progress) that makes arrays of
+/// this shape of frames.
 template <class Write>
 auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
   return [=](const PathObject& self, nb::handle ts, nb::handle start, nb::handle start_normal,
-             nb::handle up, const Text<"kind">& kind, const Text<"by">& by, nb::handle progress) {
-    return array_of(self,
-                    {ts, start, start_normal, up, frame_kind(kind, self), parameter_kind(by),
-                     progress, product(shape)},
-                    shape, write);
+             nb::handle up, const Text<"kind">& kind, const Text<"by">& by, nb::handle roll,
+             nb::handle progress) {
+    ArrayQuery asked{ts,
+                     start,
+                     start_normal,
+                     up,
+                     frame_kind(kind, self),
+                     parameter_kind(by),
+                     progress,
+                     product(shape),
+                     roll_of(roll, self.named.path.segments().size())};
+    if (!asked.roll.is_zero() &&
+        (asked.kind == TabulatedFrame::euler_rodrigues || asked.kind == TabulatedFrame::frenet))
+      refuse("roll", "it is of the kinds rmf, up and mtf", roll);
+    return array_of(self, asked, shape, write);
   };
 }
 
@@ -189,6 +245,26 @@ nb::object points(const PathObject& self, nb::handle ts, const Text<"by">& by,
 }
 
 }  // namespace
+
+Roll roll_of(nb::handle roll, std::size_t segments) {
+  if (roll.is_none()) return {};
+  const Roll found = [&]() -> Roll {
+    if (PyUnicode_Check(roll.ptr()) != 0)
+      return at_place("roll", [&] { return parse_roll(text(roll, "roll")); });
+    if (!is_list(roll)) {
+      const Angle angle = angle_number(roll, "roll");
+      return Roll::Piece{RationalFunction(Polynomial{angle.half_turns}),
+                         RationalFunction(Polynomial{angle.radians})};
+    }
+    std::vector<Angle> angles;
+    for (const nb::handle x : nb::list(listed(roll, "roll", "a list of angles")))
+      angles.push_back(angle_number(x, "roll[" + std::to_string(angles.size()) + "]"));
+    if (angles.size() < 2) refuse("roll", "of a list there are two angles at least", roll);
+    return Roll(angles);
+  }();
+  at_place("roll", [&] { found.require_along(segments); });
+  return found;
+}
 
 void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
   const double last = round_to_double(end);
@@ -299,18 +375,23 @@ nb::object angles(const NamedPath& named, const PathAngle& angle, const StartAng
 }
 
 void bind_arrays(PathClass& path) {
-#define PHRAME_FRAMES(name, of, what)                                                            \
-  path.def(name, of, argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,                     \
-           argument("up") = nb::none(), argument("kind") = "rmf", argument("by") = "t",          \
-           argument("progress") = nb::none(),                                                    \
-           nb::sig("def " name "(self, ts: Numbers, *, " PHRAME_START_SIG ", " PHRAME_UP_SIG     \
-                   ", kind: str = 'rmf', by: str = 't', " PHRAME_PROGRESS ") -> " PHRAME_ARRAY), \
+#define PHRAME_FRAMES(name, of, what)                                                        \
+  path.def(name, of, argument("ts"), nb::kw_only(), PHRAME_START_PARAMETERS,                 \
+           argument("up") = nb::none(), argument("kind") = "rmf", argument("by") = "t",      \
+           argument("roll") = nb::none(), argument("progress") = nb::none(),                 \
+           nb::sig("def " name "(self, ts: Numbers, *, " PHRAME_START_SIG ", " PHRAME_UP_SIG \
+                   ", kind: str = 'rmf', by: str = 't', " PHRAME_ROLL ", " PHRAME_PROGRESS   \
+                   ") -> " PHRAME_ARRAY),                                                    \
            what)
   PHRAME_FRAMES(
       "frames",
       tabulated({3, 3}, [](const auto& place, double* out) { write_rows(place.frame(), out); }),
       "Frames as an array (n, 3, 3): [k, 0] is the tangent e1, [k, 1] and [k, 2] are f2, f3. "
-      "Every number is correctly rounded. `kind` is rmf, erf (on PH curves), up or frenet; `by` "
+      "Every number is correctly rounded. `kind` is rmf, erf (on PH curves), up, frenet, or mtf, "
+      "of "
+      "minimal twist through the orientations that come with the path, or around a closed one; "
+      "`roll` turns frames about e1 beside: a number or text such as '15deg' or '30*t deg', or "
+      "angles at the joints; `by` "
       "says what ts are: t, native, unit, arc-length or fraction; where a rotation-minimizing "
       "frame "
       "starts, `start` or "

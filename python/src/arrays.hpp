@@ -34,6 +34,10 @@ inline void write_pose(const Frame<double>& f, const Vector<double>& r, double* 
 /// is > 0.
 void make_continuous(DoubleArray& quaternions);
 
+/// A roll of a path of so many segments: None, an angle, text as of the program, or a list of
+/// angles at the joints.
+Roll roll_of(nb::handle roll, std::size_t segments);
+
 /// Refuses a t outside [0, end]; a double that is the end rounded is not.
 void require_inside(const Parameters& at, const Rational& end, nb::handle ts);
 
@@ -59,6 +63,13 @@ Numbers filled(const Numbers& numbers, nb::handle progress, const std::shared_pt
 }
 
 #define PHRAME_ARRAY "numpy.typing.NDArray[numpy.float64]"
+/// The signature of a function of one t, or of many.
+#define PHRAME_NUMBER_OR_ARRAY(name)                                           \
+  "@typing.overload\ndef " name                                                \
+  "(self, t: float | fractions.Fraction | decimal.Decimal, by: str = 't') -> " \
+  "fractions.Fraction | Real: ...\n@typing.overload\ndef " name                \
+  "(self, t: Numbers, by: str = 't') -> numpy.typing.NDArray[numpy.float64]"
+#define PHRAME_ROLL "roll: Number | Numbers | None = None"
 #define PHRAME_PROGRESS "progress: collections.abc.Callable[[int, int], object] | None = None"
 
 }  // namespace phrame::python

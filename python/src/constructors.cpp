@@ -301,7 +301,9 @@ nb::object parse(nb::handle text, nb::handle near, Flag<"skip_invalid"> skip_inv
 
 nb::object read(nb::handle file, nb::handle near, Flag<"skip_invalid"> skip_invalid,
                 const Text<"pick">& pick) {
-  return parsed(bytes_of_file(file, "file"), near, {skip_invalid, pick});
+  FileReading reading{skip_invalid, pick};
+  reading.beside = files_beside(text(file_name(file, "file"), "file"));
+  return parsed(bytes_of_file(file, "file"), near, reading);
 }
 
 /// Of the doubles that the object has.

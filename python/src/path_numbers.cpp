@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "answers.hpp"
+#include "arrays.hpp"
 
 namespace phrame::inline v0::python {
 namespace {
@@ -172,6 +173,26 @@ auto asked_by(nb::handle self, const char* argument, const Rational& x, Paramete
   });
 }
 
+/// of(path, place) at each of these, so many doubles, correctly rounded.
+template <std::size_t width, class F>
+nb::object rows_at(nb::handle self, nb::handle ts, ParameterKind by, const F& of) {
+  const auto at = std::make_shared<Parameters>(parameters(ts, "t"));
+  const auto numbers = std::make_shared<DoubleArray>(at->size() * width);
+  run({.n = at->size(),
+       .grain = 16,
+       .work =
+           [=, along = parametrization(path_of(self).named, by)](std::size_t from, std::size_t to) {
+             for (std::size_t k = from; k < to; ++k)
+               at_place("t[" + std::to_string(k) + "]", [&] {
+                 const std::array<Real, width> row = of(along.path(), along.point((*at)[k]).at);
+                 for (std::size_t c = 0; c < width; ++c)
+                   (*numbers)[k * width + c] = finite(round_to_double(row[c]));
+               });
+           }},
+      nb::none());
+  return width == 1 ? array(numbers, {at->size()}) : array(numbers, {at->size(), width});
+}
+
 /// How a number is pickled that a method answers, where `by` is t without it.
 nb::object recipe_by(nb::handle self, const char* name, const Rational& x, const std::string& by) {
   if (by == "t") return method_recipe(self, name, to_python(x));
@@ -195,12 +216,40 @@ nb::object point(nb::handle self, nb::handle t, const Text<"by">& by) {
 }
 
 nb::object arc_length(nb::handle self, nb::handle t, const Text<"by">& by) {
+  if (is_list(t))
+    return rows_at<1>(
+        self, t, parameter_kind(by),
+        [length = PathLength(path_of(self).named.path)](
+            const Path&, const Place& at) -> std::array<Real, 1> { return {length.value(at)}; });
   const Rational at = rational(t, "t");
   const PathObject& path = path_of(self);
   const Place place = place_of(path, at, parameter_kind(by), "t");
   const auto length = [along = path.named.path, place] { return PathLength(along).value(place); };
   return to_python(at_place("t", [&] { return path.ph ? length() : without_gil(length); }),
                    recipe_by(self, "arc_length", at, by));
+}
+
+/// A vector, each component of which is pickled as that of what the method answers.
+nb::object derivative(nb::handle self, nb::handle t, nb::handle order, const Text<"by">& by) {
+  const auto n = static_cast<std::size_t>(count(order, "order", 0, 100));
+  const ParameterKind kind = parameter_kind(by);
+  const auto of = [n](const Path& along, const Place& at) {
+    return phrame::derivative(along, n, at);
+  };
+  if (is_list(t)) return rows_at<3>(self, t, kind, of);
+  const Rational at = rational(t, "t");
+  const PathObject& path = path_of(self);
+  const Place place = place_of(path, at, kind, "t");
+  const Vector<Real> found = at_place("t", [&] {
+    return without_gil([of, along = path.named.path, place] { return of(along, place); });
+  });
+  nb::list components;
+  for (long k = 0; k < 3; ++k)
+    components.append(
+        to_python(found[static_cast<std::size_t>(k)],
+                  recipe(imported("phrame._pickle", "component"), self, nb::str("derivative"),
+                         to_python(at), k, nb::int_(n), nb::str(by.c_str()))));
+  return nb::tuple(components);
 }
 
 nb::object parameter_at(nb::handle self, nb::handle s) {
@@ -260,20 +309,31 @@ void bind_places(PathClass& path) {
   path.def(                                                                          \
       name,                                                                          \
       [](nb::handle self, nb::handle t, const Text<"by">& by) {                      \
+        if (is_list(t))                                                              \
+          return rows_at<1>(self, t, parameter_kind(by),                             \
+                            [](const Path& along, const Place& place) {              \
+                              return std::array<Real, 1>{of(along, place).value};    \
+                            });                                                      \
         const Rational at = rational(t, "t");                                        \
         const KnownReal found =                                                      \
             asked_by(self, "t", at, parameter_kind(by),                              \
                      [](const auto& along, const auto& x) { return of(along, x); }); \
         return to_python(found.value, recipe_by(self, name, at, by), found.bound);   \
       },                                                                             \
-      argument("t"), argument("by") = "t",                                           \
-      nb::sig("def " name "(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_SIG), what)
-  PHRAME_AT("curvature", curvature_at, "κ ≥ 0 at t.");
-  PHRAME_AT("torsion", torsion_at, "τ at t.");
+      argument("t"), argument("by") = "t", nb::sig(PHRAME_NUMBER_OR_ARRAY(name)), what)
+  PHRAME_AT("curvature", curvature_at, "κ ≥ 0 at t, or at many.");
+  PHRAME_AT("torsion", torsion_at, "τ at t, or at many.");
 #undef PHRAME_AT
   path.def("arc_length", arc_length, argument("t"), argument("by") = "t",
-           nb::sig("def arc_length(self, t: Number, " PHRAME_BY_SIG ") -> " PHRAME_REAL_SIG),
-           "The length from the start to t.")
+           nb::sig(PHRAME_NUMBER_OR_ARRAY("arc_length")),
+           "The length from the start to t, or to many.")
+      .def("derivative", derivative, argument("t"), argument("order") = 1, argument("by") = "t",
+           nb::sig("@typing.overload\ndef derivative(self, t: float | fractions.Fraction | "
+                   "decimal.Decimal, order: int = 1, " PHRAME_BY_SIG ") -> " PHRAME_REAL_VECTOR_SIG
+                   ": ...\n@typing.overload\ndef derivative(self, t: Numbers, order: int = "
+                   "1, " PHRAME_BY_SIG ") -> " PHRAME_ARRAY),
+           "The derivative of r by t, of this order: a vector, or a row of doubles for each of "
+           "many t.")
       .def("parameter_at", parameter_at, argument("s"),
            nb::sig("def parameter_at(self, s: Number) -> " PHRAME_REAL_SIG),
            "The t where the length from the start is s.")

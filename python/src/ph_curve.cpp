@@ -69,6 +69,42 @@ nb::object moved_path(const PathObject& self, const F& make) {
   return wrap(std::move(made));
 }
 
+/// Of 3 rows of 3 numbers, or of 4, or of these with (0, 0, 0, 1) below.
+AffineMap affine_map(nb::handle matrix) {
+  const nb::object rows = listed(matrix, "matrix", "a list of rows");
+  const std::size_t count = nb::len(rows);
+  const char* wanted = "3 rows of 3 or 4 numbers are wanted, or 4 rows of 4";
+  if (count != 3 && count != 4) refuse("matrix", wanted, matrix);
+  AffineMap map;
+  for (std::size_t row = 0; row < count; ++row) {
+    const std::string place = "matrix[" + std::to_string(row) + "]";
+    const auto numbers = rationals(rows[row], place);
+    if (numbers.size() != 4 && !(numbers.size() == 3 && count == 3))
+      refuse("matrix", wanted, matrix);
+    if (row == 3) {
+      if (numbers != std::vector<Rational>{0, 0, 0, 1})
+        refuse(place, "the last row is 0, 0, 0, 1", rows[row]);
+      break;
+    }
+    for (std::size_t k = 0; k < 3; ++k) map.columns[k][row] = numbers[k];
+    if (numbers.size() == 4) map.shift[row] = numbers[3];
+  }
+  return map;
+}
+
+/// A tuple of the parts from each of these places to the next.
+nb::object split(const PathObject& self, nb::handle ts, const std::string& by) {
+  TransformQuery query;
+  query.by = parameter_kind(by);
+  query.split = rationals(listed(ts, "ts", "a list of numbers"), "ts");
+  const auto parts = at_place("ts", [&] {
+    return without_gil([named = self.named, query] { return answer(named, query); });
+  });
+  nb::list list;
+  for (const NamedPath& part : parts) list.append(wrap(part));
+  return nb::tuple(list);
+}
+
 void bind_transformations(PathClass& path) {
   path.def(
           "segment",
@@ -108,7 +144,33 @@ void bind_transformations(PathClass& path) {
             return moved_path(self, [=](const auto& of) { return rotated(of, by); });
           },
           argument("u"), nb::sig("def rotated(self, u: collections.abc.Sequence[Number]) -> Path"),
-          "Rotated as the quaternion u, its real part first, says, and scaled by |u|².");
+          "Rotated as the quaternion u, its real part first, says, and scaled by |u|².")
+      .def(
+          "transformed",
+          [](const PathObject& self, nb::handle matrix) {
+            TransformQuery query;
+            query.map = affine_map(matrix);
+            NamedPath made = at_place("matrix", [&] {
+              return without_gil(
+                  [named = self.named, query] { return answer(named, query).front(); });
+            });
+            made.parameters = self.named.parameters;
+            return wrap(std::move(made));
+          },
+          argument("matrix"),
+          nb::sig("def transformed(self, matrix: collections.abc.Sequence[Vector] | "
+                  "numpy.typing.NDArray[typing.Any]) -> Path"),
+          "Under a 3 × 3 matrix, or one of 3 × 4 or 4 × 4 numbers whose last column is added; what "
+          "is PH stays so under rotations, scalings and reflections.")
+      .def(
+          "split",
+          [](const PathObject& self, nb::handle ts, const Text<"by">& by) {
+            return split(self, ts, by);
+          },
+          argument("ts"), argument("by") = "t",
+          nb::sig("def split(self, ts: Numbers, " PHRAME_BY_SIG ") -> tuple[Path, ...]"),
+          "The parts from each of these places to the next; at an irrational t it is cut next to "
+          "that.");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <nanobind/ndarray.h>
 
 #include "answers.hpp"
+#include "arrays.hpp"
 
 namespace phrame::inline v0::python {
 namespace {
@@ -100,8 +101,8 @@ std::optional<Vector<Rational>> origin_of(nb::handle origin) {
 
 nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                       nb::handle start_normal, nb::handle end_normal, nb::handle twist,
-                      nb::handle scale, nb::handle tolerance, nb::handle normal_tolerance,
-                      nb::handle sections, nb::handle origin) {
+                      nb::handle scale, nb::handle roll, nb::handle tolerance,
+                      nb::handle normal_tolerance, nb::handle sections, nb::handle origin) {
   const PathObject& path = path_argument(given, "path");
   const SweepScale size = sweep_scale_of(scale);
   const std::size_t segments = path.named.path.segments().size();
@@ -130,6 +131,7 @@ nb::object sweep_path(nb::handle given, nb::handle profile, nb::handle start,
                    up};
   query.scale = size;
   query.twist = angle_number(twist, "twist");
+  query.roll = roll_of(roll, segments);
   query.origin = origin_of(origin);
   if (!end_normal.is_none()) query.end_normal = vector(end_normal, "end_normal");
   if (path.named.frame && start.is_none() && start_normal.is_none() && end_normal.is_none())
@@ -223,14 +225,15 @@ void bind_sweep(nb::module_& m) {
         nb::arg().none(), nb::arg(), nb::arg(), nb::arg());
   m.def("sweep", sweep_path, argument("path"), argument("profile"), nb::kw_only(),
         PHRAME_START_PARAMETERS, argument("end_normal") = nb::none(), argument("twist") = 0,
-        argument("scale") = 1, argument("tolerance") = nb::none(),
+        argument("scale") = 1, argument("roll") = nb::none(), argument("tolerance") = nb::none(),
         argument("normal_tolerance") = nb::none(), argument("sections") = nb::none(),
         argument("origin") = nb::none(),
         nb::sig(
             "def sweep(path: Path, profile: str | os.PathLike[str] | Vectors, *, " PHRAME_START_SIG
             ", end_normal: Vector | None = None, twist: Number = 0, scale: Number | Polynomial | "
             "Numbers "
-            "| RationalFunction = 1, tolerance: Number | None = None, normal_tolerance: Number | "
+            "| RationalFunction = 1, " PHRAME_ROLL
+            ", tolerance: Number | None = None, normal_tolerance: Number | "
             "None = None, sections: int | None = None, origin: Vector | str | None = None) -> "
             "SweptBody"),
         "A body: a profile (\"circle:R\", \"polygon:N,R\", \"rectangle:W,H\", corners, or a file "

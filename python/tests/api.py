@@ -34,7 +34,7 @@ REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
 LISTS = {name: [1, 2] for name in "uvpq"}
 START = {"start": 0, "start_normal": None}
-ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "t", "progress": None}
+ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "t", "roll": None, "progress": None}
 CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START, "up": None}
 CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
 X = sympy.Symbol("x")
@@ -68,6 +68,7 @@ API = {
     "Path.nearest": (QUINTIC.nearest, {"point": [1, 2, 3]}),
     "Path.domain": (QUINTIC.domain, {"by": "t"}),
     "Path.curvature": (QUINTIC.curvature, {"t": 1, "by": "t"}),
+    "Path.derivative": (QUINTIC.derivative, {"t": 1, "order": 2, "by": "t"}),
     "Path.arc_length": (QUINTIC.arc_length, {"t": 1, "by": "t"}),
     "Path.parameter_at": (QUINTIC.parameter_at, {"s": 1}),
     "Path.torsion": (QUINTIC.torsion, {"t": 1, "by": "t"}),
@@ -91,6 +92,8 @@ API = {
     "Path.translated": (QUINTIC.translated, {"v": [1, 2, 3]}),
     "Path.scaled": (QUINTIC.scaled, {"c": 1}),
     "Path.rotated": (QUINTIC.rotated, {"u": [1, 2, 3, 4]}),
+    "Path.transformed": (QUINTIC.transformed, {"matrix": [[1, 2, 3], [0, 1, 0], [0, 0, 1]]}),
+    "Path.split": (QUINTIC.split, {"ts": ["1/3"], "by": "t"}),
     "Path.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
     "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
     "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
@@ -159,7 +162,7 @@ API = {
                                      "style": "textbook", "form": "auto"}),
     "ask": (phrame.ask, {"question": "info", "path": QUINTIC}),
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
-                             "scale": 1, "tolerance": None, "normal_tolerance": None, "sections": 3,
+                             "scale": 1, "roll": None, "tolerance": None, "normal_tolerance": None, "sections": 3,
                              "origin": None}),
     "map": (phrame.map, {"curves": [QUINTIC], "question": lambda curve: 0, "threads": None, "errors": "raise"}),
     "set_threads": (phrame.set_threads, {"n": None}),
@@ -183,6 +186,9 @@ OF_ANY_KIND = {
     "Path.rotated": (CUBIC.rotated, {"u": [1, 2, 3, 4]}),
     "Path": (phrame.Path, {"curves": [CUBIC], "name": ""}),
     "Path.curvature": (CUBIC.curvature, {"t": 1, "by": "t"}),
+    "Path.derivative": (CUBIC.derivative, {"t": 1, "order": 2, "by": "t"}),
+    "Path.transformed": (CUBIC.transformed, {"matrix": [[1, 2, 3], [0, 1, 0], [0, 0, 1]]}),
+    "Path.split": (CUBIC.split, {"ts": ["1/3"], "by": "t"}),
     "Path.torsion": (CUBIC.torsion, {"t": 1, "by": "t"}),
     "Path.arc_length": (CUBIC.arc_length, {"t": 1, "by": "t"}),
     "Path.parameter_at": (CUBIC.parameter_at, {"s": 1}),

@@ -203,3 +203,74 @@ def test_parameters_of_files_and_of_lengths_are_named_by_by():
         QUINTIC.points([0], by="native")
     with pytest.raises(phrame.InputError, match="is not one of t, native, unit, arc-length, fraction"):
         QUINTIC.points([0], by="length")
+
+
+def test_numbers_at_many_places_are_those_one_by_one():
+    cubic = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+    helix = phrame.Path.expressions("3*cos(s)", "3*sin(s)", "4*s", 0, "2*pi")
+    for path in (QUINTIC, cubic, phrame.Path([cubic, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])]), helix):
+        ts = [0, Fraction(1, 3), 0.5, 1]
+        for name in ("curvature", "arc_length", "derivative"):
+            one = getattr(path, name)
+            assert (one(ts) == [np.array(one(t), dtype=float) for t in ts]).all()
+    assert (helix.torsion(np.array([0.25, 0.5])) == [0.16, 0.16]).all()
+    assert (QUINTIC.curvature([0, 1, 2], by="arc-length") == [float(QUINTIC.curvature(s, "arc-length")) for s in (0, 1, 2)]).all()
+    with pytest.raises(phrame.Error, match=r"t\[1\]"):
+        cubic.curvature([0, 2])
+
+
+def test_derivatives_of_any_order():
+    parabola = phrame.Curve.bezier([[0, 0, 0], [1, 0, 0], [2, 3, 0]])  # (2t, 3t², 0)
+    assert parabola.derivative("1/3") == (2, 2, 0)
+    assert parabola.derivative("1/3", 2) == (0, 6, 0)
+    assert (parabola.derivative([0, 1], 3) == 0).all()
+    assert (parabola.derivative([0, 1], 0) == [[0, 0, 0], [2, 3, 0]]).all()
+    conic = phrame.Curve.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2])  # ((1 − t²), 2t)/(1 + t²)
+    assert conic.derivative(1, 1) == (-1, 0, 0)
+    assert conic.derivative(0, 3) == (0, -12, 0)  # 2t − 2t³ + …
+    helix = phrame.Path.expressions("3*cos(s)", "3*sin(s)", "4*s", 0, "2*pi")
+    fifth = helix.derivative([0, 0.25], 5)
+    assert np.allclose(fifth, [[0, 3 * (2 * np.pi) ** 5, 0], [-3 * (2 * np.pi) ** 5, 0, 0]], rtol=1e-15, atol=1e-9)
+    speed = helix.derivative("1/2")
+    assert str(phrame.digits(speed[2], 15)) == "25.1327412287183"  # 8π
+    assert pickle.loads(pickle.dumps(speed[1])) == speed[1]
+    with pytest.raises(phrame.InputError, match="order"):
+        helix.derivative(0, -1)
+
+
+def test_roll_turns_frames_about_the_tangent():
+    """By Rodrigues' formula; along the path the roll is a function of t, or linear between joints."""
+    cubic = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+    two = phrame.Path([cubic, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])])
+    for path, rolls in ((QUINTIC, ("pi/3", "60*t deg", "t^2")), (cubic, ([0, "90deg"],)), (two, ([0, 1, "30deg"],))):
+        ts = np.linspace(0, path.end, 9)
+        plain = path.frames(ts)
+        for roll in rolls:
+            angle = {"pi/3": lambda t: np.pi / 3 + 0 * t, "60*t deg": lambda t: np.pi / 3 * t, "t^2": lambda t: t * t}.get(
+                str(roll), lambda t: np.interp(t, range(len(roll)), [0, 1, np.pi / 6] if len(roll) > 2 else [0, np.pi / 2]))(ts)[:, None]
+            turned = path.frames(ts, roll=roll)
+            assert np.abs(turned[:, 1] - np.cos(angle) * plain[:, 1] - np.sin(angle) * plain[:, 2]).max() < 1e-15
+            assert (path.matrices(ts, roll=roll)[:, :3, :3].transpose(0, 2, 1) == turned).all()
+            assert (path.frames(ts, roll=roll, kind="up")[:, 0] == plain[:, 0]).all()
+            q = path.quaternions(ts, roll=roll)
+            assert (np.sum(q[1:] * q[:-1], axis=1) > 0).all()
+    assert phrame.sweep(cubic, "rectangle:1,1/2", roll=[0, "90deg"], sections=5).vertices[0] @ [1, 1, 1] != 0
+    with pytest.raises(phrame.DomainError):
+        two.frames([0], roll=[0, 1])
+    with pytest.raises(phrame.InputError, match="roll"):
+        QUINTIC.frames([0], kind="erf", roll=1)
+    with pytest.raises(phrame.InputError, match="roll"):
+        QUINTIC.frames([0], roll="x")
+
+
+def test_frames_of_minimal_twist_by_their_name():
+    posed = phrame.Path.through([[0, 0, 0], [2, 1, 0], [3, 3, 1]], orientations=[[0, 0, 0, 1], [1, 0, 1, 2], [0, -1, 2, 2]],
+                                tangent_axis="z")
+    assert (posed.frames([0, 0.5, 2], kind="mtf") == posed.twist().frames([0, 0.5, 2])).all()
+    body = posed.matrices([0, 1], kind="mtf")[:, :3, :3]
+    assert np.abs(body[0] - np.eye(3)).max() < 1e-15  # that of the pose, whose z is the tangent
+    ring = phrame.Path.expressions("(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
+    ends = ring.frames([0, 1], kind="mtf")
+    assert np.abs(ends[0] - ends[1]).max() < 1e-15
+    with pytest.raises(phrame.InputError, match="minimal_twist"):
+        QUINTIC.frames([0], kind="mtf")

@@ -1,6 +1,7 @@
 """Numbers and tables of other packages: taken exactly, with their signs, or refused by name. Packages that are not here are skipped."""
 
 import random
+import warnings
 from fractions import Fraction
 
 import numpy as np
@@ -506,6 +507,34 @@ def test_curves_of_rhino3dm():
         us = np.linspace(low, high, 6)
         points = [(p.X, p.Y, p.Z) for p in (curve.PointAt(float(u)) for u in us)]
         np.testing.assert_allclose(phrame.Path.of(curve).points(us, by="native"), points, rtol=1e-12, atol=1e-12)
+
+
+def test_edges_of_open_cascade():
+    """Of cadquery and build123d, in their places and senses, with the points that Open CASCADE has."""
+    ocp = pytest.importorskip("OCP.gp")
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire
+    from OCP.GC import GC_MakeArcOfCircle
+    from OCP.TopLoc import TopLoc_Location
+
+    line = BRepBuilderAPI_MakeEdge(ocp.gp_Pnt(0, 0, 0), ocp.gp_Pnt(0, 10, 0)).Edge()
+    arc = BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(ocp.gp_Pnt(0, 10, 0), ocp.gp_Pnt(3, 14, 0), ocp.gp_Pnt(10, 15, 2)).Value()).Edge()
+    wire = BRepBuilderAPI_MakeWire(line, arc).Wire()
+    turn = ocp.gp_Trsf()
+    turn.SetRotation(ocp.gp_Ax1(ocp.gp_Pnt(1, 2, 3), ocp.gp_Dir(1, 1, 0)), 0.5)
+    for edge in (line, arc, arc.Reversed(), arc.Moved(TopLoc_Location(turn))):
+        path, adaptor = phrame.Path.of(edge), BRepAdaptor_Curve(edge)
+        ends = [adaptor.Value(t) for t in (adaptor.FirstParameter(), adaptor.LastParameter())]
+        if edge.Orientation() != line.Orientation():
+            ends.reverse()
+        assert np.abs(path.points([0, path.end]) - [[p.X(), p.Y(), p.Z()] for p in ends]).max() < 1e-14
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of a gap that is closed, perhaps
+        path = phrame.Path.of(wire)
+    assert np.ptp(phrame.Path.of(arc).curvature([0, "1/3", "1/2"])) < 1e-14  # it is a circle
+    assert abs(float(path.length) - 10 - float(phrame.Path.of(arc).length)) < 1e-13 and len(path.corners) == 1
+    with pytest.raises(phrame.InputError, match="an edge or a wire"):
+        phrame.Path.of(ocp.gp_Pnt(0, 0, 0))
 
 
 def test_curves_of_ezdxf():

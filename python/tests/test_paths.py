@@ -185,6 +185,29 @@ def test_transformations(path):
             wrong()
 
 
+def test_parts_and_matrices():
+    """A point p comes to M·p + v; the parts join to the path again."""
+    matrix = [[0, -3, 0, 1], [3, 0, 0, 2], [0, 0, 3, 3]]
+    for path in (QUINTIC, CUBIC, phrame.Path([CUBIC, phrame.Path.bezier([[4, 1, 2], [5, 2, 3]])])):
+        moved = path.transformed(matrix)
+        assert moved.is_ph == path.is_ph
+        x, y, z = path.point("1/3")
+        assert moved.point("1/3") == (1 - 3 * y, 2 + 3 * x, 3 + 3 * z)
+        assert path.transformed(np.eye(4)) == path
+        sheared = path.transformed([[1, 1, 0], [0, 1, 0], [0, 0, 1]])
+        assert sheared.point("1/3") == (x + y, y, z)
+        parts = path.split(["1/4", "1/2"])
+        assert [part.point(0) for part in parts] == [path.point(t) for t in (0, "1/4", "1/2")]
+        assert parts[-1].point(parts[-1].end) == path.point(path.end)
+    half, rest = QUINTIC.split([0.5], by="fraction")
+    assert abs(float(half.length) - 71 / 30) < 1e-15
+    assert half.length + rest.length == Fraction(71, 15)
+    with pytest.raises(phrame.InputError, match="matrix"):
+        QUINTIC.transformed([[1, 2], [3, 4]])
+    with pytest.raises(phrame.DomainError):
+        QUINTIC.split([0])
+
+
 def test_files_of_what_was_rounded():
     points = [[str(Fraction(float(x)) + Fraction(1, 10**17)) for x in point] for point in QUINTIC.control_points]
     points[2][0] = str(Fraction(points[2][0]) + Fraction(1, 10**16))
