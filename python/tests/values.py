@@ -27,6 +27,7 @@ def values():
                       phrame.Path([phrame.Curve([1], [0], [0], [0]), phrame.Curve.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "both")],
         phrame.Angle: [QUINTIC.angle(), two.angle(start="pi/4"), QUINTIC.angle("frenet"), QUINTIC.angle(start_normal=[0, 0, 1]), QUINTIC.angle(up=[0, 0, 1]), cubic.angle(start=1), cubic.angle("frenet"), cubic.angle(up=[0, 0, 1])],
         phrame.Integral: [phrame.integrate("1/(x^5+1)", variable="x"), phrame.integrate("1/y", 1, "sqrt(2)", style="real")],
+        phrame.ReferenceCurve: [phrame.reference("tame")[0]],
         phrame.Classification: [QUINTIC.classify(), two.classify()],
         phrame.MinimalTwist: [twist, cubic.minimal_twist(0, 1, extra_turns=1)],
         phrame.PathTwist: [posed.twist(), posed.twist(up=[1, 5, -2])],

@@ -138,7 +138,7 @@ void add_transform(Program& program) {
       "  phrame transform spline.json --split 1/3,2/3 --by fraction -o thirds.jsonl\n"
       "  phrame transform drawing.svg --scale 1/100 --matrix 1,0,0,0,-1,0,0,0,1 -o upright.json\n"
       "  phrame transform curve.json --rotate z,90deg --move 1,0,0");
-  command.does([options] { run(*options); });
+  command.does(options, run);
 }
 
 }  // namespace phrame::cli

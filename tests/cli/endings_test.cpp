@@ -30,6 +30,7 @@ TEST_CASE("endings: those that mean another format are refused, and nothing is w
       {"compile quintic.json", "py"},
       {"check quintic.json frames.csv", "v"},
       {"certify quintic.json", "tex"},
+      {"reference", "csv"},
       {"verify angle.cert", "json"},
       {"prove quintic.json", "JSON"},
       {"page quintic.json", "pdf.json"}};

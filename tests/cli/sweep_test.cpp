@@ -16,7 +16,8 @@ TEST_CASE("sweep: the ending chooses the format, and a line on stderr says what 
   CHECK(here.run("sweep quintic.json --profile circle:1/10 --format ply").out.starts_with("ply\n"));
   const Run obj = here.run("sweep line.json --profile rectangle:2,2 --sections 2");
   check_success(obj);
-  CHECK(obj.out.starts_with("v 0 1 1\nv 0 -1 1\n"));
+  CHECK(obj.out.starts_with("# at the start the least rotation that takes the x axis to e1"));
+  CHECK(contains(obj.out, " f2\nv 0 1 1\nv 0 -1 1\n"));
   CHECK(here.run("sweep line.json --profile rectangle:2,2 --sections 2 -o box.obj").out ==
         "8 points, 12 triangles, 2 sections\n");
   const Run folded = here.run("sweep quintic.json --profile circle:9 --sections 9 -o folded.obj");
