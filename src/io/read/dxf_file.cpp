@@ -21,6 +21,7 @@
 #include "phrame/io/read/number.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/ellipse_arc.hpp"
+#include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -335,57 +336,157 @@ std::vector<DrawnChain> chains_of_drawing(std::vector<DrawnChain> parts) {
   return parts;
 }
 
-std::vector<DxfEntity> entities_of(std::string_view text) {
+/// A drawing within the file, that INSERT puts somewhere.
+struct DxfBlock {
+  Vector<Rational> base;  ///< what comes to the place where it is put
   std::vector<DxfEntity> entities;
-  bool is_inside = false;
-  std::string_view section;
-  for (const DxfGroup& group : read_dxf_groups(text)) {
-    if (group.code == 0) {
-      if (group.value == "SECTION") section = "?";
-      if (group.value == "ENDSEC") is_inside = false;
-      if (is_inside) entities.push_back({group.value, {}, group.line});
-    } else if (group.code == 2 && section == "?") {
-      section = group.value;
-      is_inside = section == "ENTITIES";
-    } else if (is_inside && !entities.empty()) {
-      entities.back().groups.push_back(group);
-    }
-  }
-  return entities;
-}
-
-struct DxfDrawing {
-  std::vector<DrawnChain> parts;
-  std::map<std::string_view, int> skipped;  ///< entities that are no curves
 };
 
-DxfDrawing read_drawing(std::string_view text, const CurveLimits& limits) {
-  DxfDrawing drawing;
-  const std::vector<DxfEntity> entities = entities_of(text);
+struct DxfSections {
+  std::vector<DxfEntity> entities;
+  std::map<std::string_view, DxfBlock> blocks;
+};
+
+DxfSections read_sections(std::string_view text) {
+  std::vector<DxfEntity> entities;
+  std::vector<DxfEntity> of_blocks;
+  std::vector<DxfEntity>* inside = nullptr;
+  bool is_named = true;
+  for (const DxfGroup& group : read_dxf_groups(text)) {
+    if (group.code == 0) {
+      if (group.value == "SECTION") is_named = false;
+      if (group.value == "SECTION" || group.value == "ENDSEC") inside = nullptr;
+      if (inside != nullptr) inside->push_back({group.value, {}, group.line});
+    } else if (group.code == 2 && !is_named) {
+      is_named = true;
+      if (group.value == "ENTITIES") inside = &entities;
+      if (group.value == "BLOCKS") inside = &of_blocks;
+    } else if (inside != nullptr && !inside->empty()) {
+      inside->back().groups.push_back(group);
+    }
+  }
+  DxfSections sections{std::move(entities), {}};
+  DxfBlock* block = nullptr;
+  for (DxfEntity& entity : of_blocks) {
+    if (entity.type == "BLOCK") {
+      const DxfGroup* name = entity.find(2);
+      if (name == nullptr) entity.fail("a block without a name");
+      block = &sections.blocks[name->value];
+      *block = {{entity.number(10, Rational(0)), entity.number(20, Rational(0)),
+                 entity.number(30, Rational(0))},
+                {}};
+    } else if (entity.type == "ENDBLK") {
+      block = nullptr;
+    } else if (block != nullptr) {
+      block->entities.push_back(std::move(entity));
+    }
+  }
+  return sections;
+}
+
+/// Reads the entities of a drawing, and those of the blocks that it has.
+class DxfDrawing {
+ public:
+  DxfDrawing(std::string_view text, const CurveLimits& limits)
+      : limits_(limits), sections_(read_sections(text)) {
+    read(sections_.entities, {});
+  }
+
+  std::vector<DrawnChain> parts;
+  std::map<std::string_view, int> skipped;  ///< entities that are no curves
+
+ private:
+  /// Where a block is put.
+  struct Insertion {
+    AffineMap map = {};
+    std::string layer = {};   ///< of what is in the layer "0" of the block
+    std::string handle = {};  ///< with a slash behind it
+    int depth = 0;
+  };
+
+  void read(const std::vector<DxfEntity>& entities, const Insertion& in);
+  void insert(const DxfEntity& entity, const Insertion& in);
+  void add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
+           const Insertion& in);
+
+  const CurveLimits& limits_;
+  DxfSections sections_;
+  std::size_t count_ = 0;  ///< of entities in blocks
+};
+
+void DxfDrawing::add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
+                     const Insertion& in) {
+  for (RationalBezier& piece : pieces)
+    for (Vector<Rational>& p : piece.points) p = in.map(p);
+  std::erase_if(pieces, [](const RationalBezier& piece) {
+    return std::ranges::all_of(piece.points,
+                               [&](const auto& p) { return p == piece.points.front(); });
+  });
+  if (pieces.empty()) return;
+  DrawnChain chain{std::move(pieces), std::move(knots)};
+  chain.lines.assign(chain.pieces.size(), entity.line);
+  chain.layer = entity.text(8);
+  if (in.depth > 0 && chain.layer == "0") chain.layer = in.layer;
+  chain.handles.push_back(in.handle + entity.text(5));
+  parts.push_back(std::move(chain));
+}
+
+// A point p of the block comes to M(at + R(S(p − base) + k)), k a step of its rows and columns, S
+// the scales, R the rotation about z, and M the mirror of an extrusion along −z.
+void DxfDrawing::insert(const DxfEntity& entity, const Insertion& in) {
+  const auto block = sections_.blocks.find(entity.find(2) == nullptr ? "" : entity.find(2)->value);
+  if (block == sections_.blocks.end()) {
+    ++skipped[entity.type];
+    return;
+  }
+  constexpr int deepest = 32;
+  if (in.depth == deepest) entity.fail("blocks are in blocks more than 32 deep");
+  const Rational mirror = sense_of(entity);
+  const auto [c, s] = rotation_by_degrees(entity.number(50, Rational(0)));
+  AffineMap turned;
+  turned.columns = {{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
+  turned.shift = {entity.number(10), entity.number(20), entity.number(30, Rational(0))};
+  turned = composed(turned, {{{{mirror, 0, 0}, {0, 1, 0}, {0, 0, mirror}}}, {}});
+  AffineMap scaled;
+  for (std::size_t k = 0; k < 3; ++k)
+    scaled.columns[k][k] = entity.number(41 + static_cast<int>(k), Rational(1));
+  const Vector<Rational>& base = block->second.base;
+  const AffineMap to_place = composed({AffineMap{}.columns, Rational(-1) * base}, scaled);
+  const long columns = std::max(1L, entity.flags(70));
+  const long rows = std::max(1L, entity.flags(71));
+  Insertion next{{}, entity.text(8), in.handle + entity.text(5) + "/", in.depth + 1};
+  if (in.depth > 0 && next.layer == "0") next.layer = in.layer;
+  for (long row = 0; row < rows; ++row)
+    for (long column = 0; column < columns; ++column) {
+      AffineMap step;
+      step.shift = {column * entity.number(44, Rational(0)), row * entity.number(45, Rational(0)),
+                    0};
+      next.map = composed(composed(composed(to_place, step), turned), in.map);
+      read(block->second.entities, next);
+    }
+}
+
+void DxfDrawing::read(const std::vector<DxfEntity>& entities, const Insertion& in) {
+  constexpr std::size_t most = 200'000;
   for (std::size_t k = 0; k < entities.size(); ++k) {
     const DxfEntity& entity = entities[k];
-    if (entity.type == "VERTEX" || entity.type == "SEQEND") continue;
+    if (entity.type == "VERTEX" || entity.type == "SEQEND" || entity.type == "ATTRIB") continue;
+    if (in.depth > 0 && ++count_ > most)
+      entity.fail(fmt::format("blocks have more than {} entities", most));
+    if (entity.type == "INSERT") {
+      insert(entity, in);
+      continue;
+    }
     std::vector<DxfEntity> vertices;
     for (std::size_t j = k + 1; j < entities.size() && entities[j].type == "VERTEX"; ++j)
       vertices.push_back(entities[j]);
     std::vector<Rational> knots;
-    auto pieces = pieces_of(entity, vertices, limits, knots);
-    if (!pieces) {
-      ++drawing.skipped[entity.type];
-      continue;
-    }
-    std::erase_if(*pieces, [](const RationalBezier& piece) {
-      return std::ranges::all_of(piece.points,
-                                 [&](const auto& p) { return p == piece.points.front(); });
-    });
-    if (pieces->empty()) continue;
-    DrawnChain chain{*std::move(pieces), std::move(knots)};
-    chain.lines.assign(chain.pieces.size(), entity.line);
-    chain.layer = entity.text(8);
-    chain.handles.push_back(entity.text(5));
-    drawing.parts.push_back(std::move(chain));
+    auto pieces = pieces_of(entity, vertices, limits_, knots);
+    if (pieces)
+      add(entity, *std::move(pieces), std::move(knots), in);
+    else
+      ++skipped[entity.type];
   }
-  return drawing;
 }
 
 /// The layer, where it has one curve only, and a handle.
@@ -418,7 +519,7 @@ bool is_dxf_file(std::string_view text) {
 
 PointCurve read_dxf(std::string_view text, const FileReading& reading, const CurveLimits& limits) {
   reading.refuse_skipping("a DXF file");
-  DxfDrawing drawing = read_drawing(text, limits);
+  DxfDrawing drawing(text, limits);
   const std::vector<DrawnChain> chains = chains_of_drawing(std::move(drawing.parts));
   std::vector<std::string> skipped;
   for (const auto& [type, count] : drawing.skipped)

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct PHRAME_API FileReading {
   std::string kind = {};
   /// The names of columns that are read for something else: no note says that they were skipped.
   std::vector<std::string> other_columns = {};
+  /// What is in the file of this name beside the one that is read, as of buffers in glTF. Without
+  /// it other files are not read.
+  std::function<std::string(const std::string& name)> beside = {};
   /// With skips_invalid: files that have no rows to skip are not refused.
   bool skips_where_possible = false;
 
@@ -29,5 +33,10 @@ struct PHRAME_API FileReading {
   void refuse_skipping(std::string_view what) const;
   void refuse_picking(std::string_view what) const;
 };
+
+/// FileReading::beside of a file with this path: reads those in its folder. Throws InputError, its
+/// place their name, where one cannot be read.
+PHRAME_API std::function<std::string(const std::string& name)> files_beside(
+    const std::string& path);
 
 }  // namespace phrame

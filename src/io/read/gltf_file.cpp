@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -50,6 +51,48 @@ std::string decoded_base64(std::string_view text, const JsonNode& node) {
   return bytes;
 }
 
+/// "a%20b" is "a b".
+std::string decoded_percent(std::string_view text, const JsonNode& node) {
+  std::string bytes;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '%') {
+      bytes += text[k];
+      continue;
+    }
+    unsigned value = 0;
+    const char* first = text.data() + k + 1;
+    if (k + 2 >= text.size() || std::from_chars(first, first + 2, value, 16).ptr != first + 2)
+      node.fail("two hexadecimal digits are expected behind %");
+    bytes += static_cast<char>(value);
+    k += 2;
+  }
+  return bytes;
+}
+
+/// From where the data of buffers come that are not in the JSON.
+struct GltfSource {
+  const FileReading& reading;
+  std::string_view binary;  ///< behind the JSON
+};
+
+std::string data_of(const JsonNode& uri, const GltfSource& source) {
+  const std::string& text = uri.string();
+  if (text.starts_with("data:")) {
+    const auto comma = text.find(',');
+    if (comma == std::string::npos) uri.fail("the data of an URI begin behind a comma");
+    const std::string_view data = std::string_view(text).substr(comma + 1);
+    return text.substr(0, comma).ends_with(";base64") ? decoded_base64(data, uri)
+                                                      : decoded_percent(data, uri);
+  }
+  const std::string name = decoded_percent(text, uri);
+  if (!source.reading.beside)
+    uri.fail("the data is in another file: save it as binary (.glb) or embedded");
+  const bool is_beside = !name.starts_with('/') && name.find(':') == std::string::npos &&
+                         name.find("..") == std::string::npos;
+  if (!is_beside) uri.fail("the data is to be in a file beside this one, or below");
+  return source.reading.beside(name);
+}
+
 /// A whole number from 0 to 2³² − 1.
 std::size_t gltf_index(const JsonNode& node) {
   const Rational x = node.number();
@@ -78,7 +121,7 @@ std::string gltf_text(const JsonNode& node, const std::string& key, const std::s
 /// Numbers of an accessor, all of floats, each exactly.
 std::vector<Rational> read_accessor(const JsonNode& document, const JsonNode& index,
                                     std::string_view type, std::size_t width,
-                                    std::string_view binary) {
+                                    const GltfSource& source) {
   const JsonNode accessor = gltf_item(document, "accessors", index);
   constexpr long float_type = 5126;
   if (accessor.at("componentType").number() != float_type || accessor.at("type").string() != type)
@@ -87,15 +130,11 @@ std::vector<Rational> read_accessor(const JsonNode& document, const JsonNode& in
   const JsonNode view = gltf_item(document, "bufferViews", accessor.at("bufferView"));
   const JsonNode buffer = gltf_item(document, "buffers", view.at("buffer"));
   std::string decoded;
-  std::string_view bytes = binary;
+  std::string_view bytes = source.binary;
   if (const auto uri = buffer.find("uri")) {
-    const std::string& text = uri->string();
-    const auto comma = text.find(";base64,");
-    if (!text.starts_with("data:") || comma == std::string::npos)
-      uri->fail("the data is in another file: save it as binary (.glb) or embedded");
-    decoded = decoded_base64(std::string_view(text).substr(comma + 8), *uri);
+    decoded = data_of(*uri, source);
     bytes = decoded;
-  } else if (binary.empty()) {
+  } else if (bytes.empty()) {
     buffer.fail("the buffer has no data");
   }
   const std::size_t stride =
@@ -175,8 +214,9 @@ PointCurve read_gltf(const JsonNode& node, const FileReading& reading, std::stri
   const bool is_cubic = interpolation == "CUBICSPLINE";
   if (!is_cubic && interpolation != "LINEAR")
     sampler.fail(fmt::format("the node moves by {}, which is no curve", interpolation));
-  const std::vector<Rational> times = read_accessor(node, sampler.at("input"), "SCALAR", 1, binary);
-  const std::vector<Rational> values = read_accessor(node, sampler.at("output"), "VEC3", 3, binary);
+  const GltfSource source{reading, binary};
+  const std::vector<Rational> times = read_accessor(node, sampler.at("input"), "SCALAR", 1, source);
+  const std::vector<Rational> values = read_accessor(node, sampler.at("output"), "VEC3", 3, source);
   const std::size_t group = is_cubic ? 9 : 3;
   if (times.size() < 2) sampler.fail("a curve needs two keys at least");
   if (values.size() != group * times.size())

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
@@ -81,23 +82,18 @@ PlaneMap read_transform(PlaneMap map, std::string_view text, const SvgAttribute&
   return map;
 }
 
-/// An element that is open.
+using SvgAttributeList = std::vector<std::pair<std::string_view, SvgAttribute>>;
+
+/// An element with its attributes. Those behind it up to `end` are within it.
 struct SvgElement {
   std::string_view name;
-  PlaneMap map;
-  bool is_drawn;
-};
-
-/// A path or a shape.
-struct SvgDrawn {
-  std::string_view element;  ///< "path", "rect", …
-  std::vector<std::pair<std::string_view, SvgAttribute>> attributes;
-  PlaneMap map;
+  SvgAttributeList attributes;
   std::size_t at;  ///< where it begins
+  std::size_t end = 0;
 
-  std::optional<SvgAttribute> attribute(std::string_view name) const {
+  std::optional<SvgAttribute> attribute(std::string_view asked) const {
     for (const auto& [known, value] : attributes)
-      if (known == name) return value;
+      if (known == asked) return value;
     return std::nullopt;
   }
 };
@@ -112,17 +108,14 @@ class SvgReader {
  public:
   explicit SvgReader(std::string_view text) : text_(text) {}
 
-  /// The paths and shapes, at least one.
-  const std::vector<SvgDrawn>& read() {
+  /// All elements, in their order.
+  std::vector<SvgElement> read() {
     while ((at_ = text_.find('<', at_)) != std::string_view::npos) read_tag();
     if (!has_svg_) fail(0, "this is no SVG file");
     if (!open_.empty())
-      fail(text_.size(), fmt::format("<{}> is not closed", abbreviated(open_.back().name)));
-    if (drawn_.empty())
       fail(text_.size(),
-           fmt::format("the file draws no path and no shape{}",
-                       has_use_ ? "; what <use> draws is not followed: unlink the clones" : ""));
-    return drawn_;
+           fmt::format("<{}> is not closed", abbreviated(elements_[open_.back()].name)));
+    return std::move(elements_);
   }
 
  private:
@@ -145,9 +138,8 @@ class SvgReader {
   std::string_view text_;
   std::size_t at_ = 0;
   bool has_svg_ = false;
-  std::vector<SvgElement> open_;
-  bool has_use_ = false;
-  std::vector<SvgDrawn> drawn_;
+  std::vector<SvgElement> elements_;
+  std::vector<std::size_t> open_;
 };
 
 void SvgReader::read_tag() {
@@ -162,8 +154,9 @@ void SvgReader::read_tag() {
     const std::size_t first = at_;
     at_ += 2;
     const std::string_view name = take_name();
-    if (open_.empty() || open_.back().name != name)
+    if (open_.empty() || elements_[open_.back()].name != name)
       fail(first, fmt::format("</{}> closes nothing that is open", abbreviated(name)));
+    elements_[open_.back()].end = elements_.size();
     open_.pop_back();
     skip_blanks();
     if (at_ == text_.size() || text_[at_] != '>') fail(first, "the tag is without its \">\"");
@@ -194,33 +187,22 @@ std::optional<SvgAttribute> SvgReader::take_value() {
 }
 
 void SvgReader::read_element() {
-  constexpr std::array not_drawn{"defs", "symbol", "clipPath", "mask", "marker", "pattern"};
   constexpr std::size_t deepest = 256;
   const std::size_t first = at_++;
-  SvgElement element{take_name(), {}, true};
+  SvgElement element{take_name(), {}, first};
   if (element.name.empty()) fail(first, "\"<\" without a name");
-  has_svg_ = has_svg_ || element.name == "svg" || element.name.ends_with(":svg");
-  if (!open_.empty()) {
-    element.map = open_.back().map;
-    element.is_drawn = open_.back().is_drawn;
-  }
-  if (std::find(not_drawn.begin(), not_drawn.end(), element.name) != not_drawn.end())
-    element.is_drawn = false;
-  const std::string_view local = local_name(element.name);
-  has_use_ = has_use_ || local == "use";
-  SvgDrawn drawn{local, {}, {}, first};
+  has_svg_ = has_svg_ || local_name(element.name) == "svg";
   for (;;) {
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
     const bool is_empty = rest.starts_with("/>");
     if (is_empty || rest.starts_with(">")) {
       at_ += is_empty ? 2 : 1;
-      drawn.map = element.map;
-      const bool is_path = local == "path" && drawn.attribute("d");
-      if ((is_path || is_svg_shape(local)) && element.is_drawn) drawn_.push_back(drawn);
+      element.end = elements_.size() + 1;
       if (!is_empty && open_.size() == deepest)
         fail(first, fmt::format("the elements are nested deeper than {}", deepest));
-      if (!is_empty) open_.push_back(std::move(element));
+      if (!is_empty) open_.push_back(elements_.size());
+      elements_.push_back(std::move(element));
       return;
     }
     const std::size_t at_name = at_;
@@ -229,34 +211,203 @@ void SvgReader::read_element() {
     if (!value)
       fail(at_name, fmt::format("an attribute of <{}> is expected, name=\"value\"",
                                 abbreviated(element.name)));
-    if (name == "transform" && element.is_drawn)
-      element.map = read_transform(element.map, text_, *value);
-    const std::string_view said = text_.substr(value->begin, value->end - value->begin);
-    if ((name == "display" && said == "none") ||
-        (name == "style" && said.find("display:none") != std::string_view::npos))
-      element.is_drawn = false;
-    drawn.attributes.emplace_back(name, *value);
+    element.attributes.emplace_back(name, *value);
   }
+}
+
+/// A path or a shape.
+struct SvgDrawn {
+  const SvgElement* element;
+  PlaneMap map;
+  std::vector<const SvgElement*> uses = {};  ///< by which it is drawn, from the outermost
+  bool is_target = false;                    ///< is it what the last of these refers to?
+};
+
+/// Where the elements of a file are drawn, <use> followed [SVG 2, 5.5, 7.8 and 8.2].
+class SvgDrawing {
+ public:
+  explicit SvgDrawing(std::string_view text) : text_(text), elements_(SvgReader(text).read()) {
+    for (const SvgElement& element : elements_)
+      if (const auto id = said(element, "id"); !id.empty()) by_id_.emplace(id, &element);
+    for (std::size_t k = 0; k < elements_.size(); k = elements_[k].end)
+      draw(elements_[k], {}, std::nullopt);
+    if (!drawn_.empty()) return;
+    fail(text_.size(),
+         fmt::format("the file draws no path and no shape{}",
+                     lost_ ? fmt::format("; <use> refers to \"{}\", which is no id of this file",
+                                         abbreviated(*lost_))
+                           : ""));
+  }
+
+  std::vector<SvgDrawn>& drawn() { return drawn_; }  ///< at least one
+  std::string_view text() const { return text_; }
+  /// The value of an attribute; empty where there is none.
+  std::string_view said(const SvgElement& element, std::string_view name) const {
+    const auto found = element.attribute(name);
+    return found ? text_.substr(found->begin, found->end - found->begin) : std::string_view();
+  }
+
+ private:
+  /// Width and height of what percentages are of.
+  using Size = std::optional<PlaneVector>;
+
+  [[noreturn]] void fail(std::size_t at, const std::string& reason) const {
+    throw InputError(line_and_column(text_, at + 1), reason);
+  }
+  Size outer_size(const SvgElement& root) const;
+  /// `use` draws it, where it is what that refers to.
+  void draw(const SvgElement& element, PlaneMap map, Size size, const SvgElement* use = nullptr);
+  void draw_used(const SvgElement& use, const PlaneMap& map, const Size& size);
+  /// `whole` is what percentages are of.
+  std::optional<Rational> length(const SvgElement& element, std::string_view name,
+                                 const std::optional<Rational>& whole) const;
+  PlaneMap viewport(const SvgElement& element, const SvgElement* use, const PlaneMap& map,
+                    Size& size) const;
+
+  std::string_view text_;
+  std::vector<SvgElement> elements_;
+  std::map<std::string_view, const SvgElement*> by_id_;
+  std::vector<const SvgElement*> uses_;     ///< that are being followed
+  std::optional<std::string_view> lost_{};  ///< what a <use> refers to that is not there
+  std::size_t visited_ = 0;                 ///< by <use>
+  std::vector<SvgDrawn> drawn_;
+};
+
+/// That of its viewBox, which is not applied, or else what it says in px.
+SvgDrawing::Size SvgDrawing::outer_size(const SvgElement& root) const {
+  try {
+    if (const auto box = root.attribute("viewBox")) {
+      SvgNumbers in(text_.substr(0, box->end), box->begin);
+      std::array<Rational, 4> view;
+      for (Rational& x : view) x = in.number();
+      return PlaneVector{view[2], view[3]};
+    }
+    const auto width = length(root, "width", {}), height = length(root, "height", {});
+    if (width && height) return PlaneVector{*width, *height};
+  } catch (const InputError&) {
+    // What is in percent of it will say so.
+  }
+  return std::nullopt;
+}
+
+std::optional<Rational> SvgDrawing::length(const SvgElement& element, std::string_view name,
+                                           const std::optional<Rational>& whole) const {
+  const auto found = element.attribute(name);
+  if (!found) return std::nullopt;
+  const auto percent = said(element, name).find('%');
+  if (percent == std::string_view::npos) return svg_length(text_, *found, name);
+  if (!whole) fail(found->begin, "percent of what has no size that is known");
+  return *whole / 100 * svg_length(text_, {found->begin, found->begin + percent}, name).value();
+}
+
+/// x, y, width and height are those of the element, the latter two those of the <use> where it has
+/// them; its viewBox fills that as preserveAspectRatio says. `size` becomes that of the viewBox.
+PlaneMap SvgDrawing::viewport(const SvgElement& element, const SvgElement* use, const PlaneMap& map,
+                              Size& size) const {
+  const auto side = [&](std::size_t k, std::string_view name) -> std::optional<Rational> {
+    const auto whole = size ? std::optional((*size)[k]) : std::nullopt;
+    std::optional<Rational> found;
+    if (use != nullptr) found = length(*use, name, whole);
+    if (!found) found = length(element, name, whole);
+    return found ? found : whole;
+  };
+  const auto place = [&](std::size_t k, std::string_view name) {
+    return length(element, name, size ? std::optional((*size)[k]) : std::nullopt)
+        .value_or(Rational(0));
+  };
+  const PlaneMap moved = composed(map, translation(place(0, "x"), place(1, "y")));
+  const auto width = side(0, "width");
+  const auto height = side(1, "height");
+  size = width && height ? Size(PlaneVector{*width, *height}) : std::nullopt;
+  const auto box = element.attribute("viewBox");
+  if (!box) return moved;
+  SvgNumbers in(text_.substr(0, box->end), box->begin);
+  std::array<Rational, 4> view;
+  for (Rational& x : view) x = in.number();
+  if (view[2] <= 0 || view[3] <= 0) fail(box->begin, "a viewBox without a size");
+  if (!size)
+    fail(element.at, "the size of what a viewBox fills is not known: width and height are wanted");
+  PlaneVector scale{(*size)[0] / view[2], (*size)[1] / view[3]};
+  const std::string_view fit = said(element, "preserveAspectRatio");
+  const bool is_stretched = fit.find("none") != std::string_view::npos;
+  if (!is_stretched)
+    scale[0] = scale[1] = fit.find("slice") != std::string_view::npos
+                              ? std::max(scale[0], scale[1])
+                              : std::min(scale[0], scale[1]);
+  const auto share = [&](std::string_view least, std::string_view most) {
+    if (is_stretched || fit.find(least) != std::string_view::npos) return Rational(0);
+    return fit.find(most) != std::string_view::npos ? Rational(1) : Rational(1, 2);
+  };
+  const PlaneVector offset{
+      share("xMin", "xMax") * ((*size)[0] - view[2] * scale[0]) - view[0] * scale[0],
+      share("YMin", "YMax") * ((*size)[1] - view[3] * scale[1]) - view[1] * scale[1]};
+  size = PlaneVector{view[2], view[3]};
+  return composed(moved, {{scale[0], 0}, {0, scale[1]}, offset});
+}
+
+void SvgDrawing::draw_used(const SvgElement& use, const PlaneMap& map, const Size& size) {
+  const std::string_view href =
+      trimmed(use.attribute("href") ? said(use, "href") : said(use, "xlink:href"));
+  const auto target = href.starts_with('#') ? by_id_.find(href.substr(1)) : by_id_.end();
+  if (target == by_id_.end()) {  // nothing is drawn, then
+    lost_ = href;
+    return;
+  }
+  constexpr std::size_t deepest = 64;
+  if (std::ranges::find(uses_, &use) != uses_.end() || uses_.size() == deepest)
+    fail(use.at, "<use> refers to itself, or too deeply");
+  uses_.push_back(&use);
+  const auto place = [&](std::size_t k, std::string_view name) {
+    return length(use, name, size ? std::optional((*size)[k]) : std::nullopt).value_or(Rational(0));
+  };
+  draw(*target->second, composed(map, translation(place(0, "x"), place(1, "y"))), size, &use);
+  uses_.pop_back();
+}
+
+void SvgDrawing::draw(const SvgElement& element, PlaneMap map, Size size, const SvgElement* use) {
+  constexpr std::size_t most = 200'000;
+  constexpr std::array not_drawn{"defs", "clipPath", "mask", "marker", "pattern"};
+  if (!uses_.empty() && ++visited_ > most)
+    fail(element.at, fmt::format("<use> draws more than {} elements", most));
+  const std::string_view local = local_name(element.name);
+  if (std::ranges::find(not_drawn, local) != not_drawn.end()) return;
+  if (local == "symbol" && use == nullptr) return;
+  if (said(element, "display") == "none" ||
+      said(element, "style").find("display:none") != std::string_view::npos)
+    return;
+  if (const auto transform = element.attribute("transform"))
+    map = read_transform(map, text_, *transform);
+  if (&element == &elements_.front())
+    size = outer_size(element);
+  else if (local == "svg" || local == "symbol")
+    map = viewport(element, use, map, size);
+  if (local == "use") return draw_used(element, map, size);
+  const bool is_path = local == "path" && element.attribute("d");
+  if (is_path || is_svg_shape(local)) drawn_.push_back({&element, map, uses_, use != nullptr});
+  const auto first = static_cast<std::size_t>(&element - elements_.data()) + 1;
+  for (std::size_t k = first; k < element.end; k = elements_[k].end) draw(elements_[k], map, size);
 }
 
 /// Of a path all subpaths, or the only one.
 std::vector<std::vector<GivenSegment>> svg_outlines(std::string_view text, const SvgDrawn& drawn,
                                                     bool wants_one) {
-  if (drawn.element != "path") {
+  const SvgElement& element = *drawn.element;
+  const std::string_view local = local_name(element.name);
+  if (local != "path") {
     auto outline = read_svg_shape(
-        drawn.element, text, [&](std::string_view name) { return drawn.attribute(name); },
-        drawn.map, line_and_column(text, drawn.at + 1));
+        local, text, [&](std::string_view name) { return element.attribute(name); }, drawn.map,
+        line_and_column(text, element.at + 1));
     if (outline.empty()) return {};
     return {std::move(outline)};
   }
-  const auto [begin, end] = drawn.attribute("d").value();
+  const auto [begin, end] = element.attribute("d").value();
   if (wants_one) return {read_path_data(text, begin, end, drawn.map)};
   return read_subpaths(text, begin, end, drawn.map);
 }
 
 /// A shape without a size. What cannot be read is something.
 bool is_nothing(std::string_view text, const SvgDrawn& drawn) {
-  if (drawn.element == "path") return false;
+  if (local_name(drawn.element->name) == "path") return false;
   try {
     return svg_outlines(text, drawn, true).empty();
   } catch (const InputError&) {
@@ -264,31 +415,37 @@ bool is_nothing(std::string_view text, const SvgDrawn& drawn) {
   }
 }
 
-CurveLabel svg_label(std::string_view text, const SvgDrawn& drawn) {
-  const auto said = [&](std::string_view name) {
-    const auto found = drawn.attribute(name);
-    return found ? std::string(text.substr(found->begin, found->end - found->begin)) : "";
+/// Its own, or that of the <use> that draws it; within what a <use> draws, behind the name of that.
+CurveLabel svg_label(const SvgDrawing& drawing, const SvgDrawn& drawn) {
+  const auto label_of = [&](const SvgElement& element) {
+    CurveLabel label{std::string(drawing.said(element, "inkscape:label")),
+                     std::string(drawing.said(element, "id"))};
+    if (label.shown().empty()) label.id = line_and_column(drawing.text(), element.at + 1);
+    return label;
   };
-  CurveLabel label{said("inkscape:label"), said("id")};
-  if (label.shown().empty()) label.id = line_and_column(text, drawn.at + 1);
-  return label;
+  if (drawn.uses.empty()) return label_of(*drawn.element);
+  std::string name;
+  for (const SvgElement* use : drawn.uses)
+    name += (name.empty() ? "" : "/") + label_of(*use).shown();
+  if (!drawn.is_target) name += "/" + label_of(*drawn.element).shown();
+  return {std::move(name), ""};
 }
 
 }  // namespace
 
 PointCurve read_svg(std::string_view text, const FileReading& reading) {
-  SvgReader reader(text);
-  std::vector<SvgDrawn> drawn = reader.read();
+  SvgDrawing drawing(text);
+  std::vector<SvgDrawn>& drawn = drawing.drawn();
   std::erase_if(drawn, [&](const SvgDrawn& one) { return is_nothing(text, one); });
   if (drawn.empty())
     throw InputError(line_and_column(text, text.size() + 1), "the file draws no path and no shape");
   std::vector<CurveLabel> labels;
-  for (const SvgDrawn& one : drawn) labels.push_back(svg_label(text, one));
+  for (const SvgDrawn& one : drawn) labels.push_back(svg_label(drawing, one));
   const std::size_t at = [&] {
     try {
       return chosen_curve(labels, reading.pick);
     } catch (const InputError& error) {
-      const std::size_t second = drawn[std::min<std::size_t>(1, drawn.size() - 1)].at;
+      const std::size_t second = drawn[std::min<std::size_t>(1, drawn.size() - 1)].element->at;
       throw InputError(line_and_column(text, second + 1), error.reason());
     }
   }();
@@ -296,9 +453,9 @@ PointCurve read_svg(std::string_view text, const FileReading& reading) {
 }
 
 std::vector<std::vector<GivenSegment>> read_svg_subpaths(std::string_view text) {
-  SvgReader reader(text);
+  SvgDrawing drawing(text);
   std::vector<std::vector<GivenSegment>> all;
-  for (const SvgDrawn& one : reader.read())
+  for (const SvgDrawn& one : drawing.drawn())
     for (auto& subpath : svg_outlines(text, one, false)) all.push_back(std::move(subpath));
   return all;
 }

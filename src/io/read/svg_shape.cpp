@@ -10,6 +10,22 @@
 #include "phrame/io/read/svg_number.hpp"
 
 namespace phrame::inline v0 {
+
+std::optional<Rational> svg_length(std::string_view text, const SvgAttribute& attribute,
+                                   std::string_view name) {
+  std::string_view value = trimmed(text.substr(attribute.begin, attribute.end - attribute.begin));
+  if (value == "auto") return std::nullopt;
+  if (value.ends_with("px")) value.remove_suffix(2);
+  const auto end = value.find_last_of("0123456789.");
+  if (end != std::string_view::npos && end + 1 < value.size())
+    throw InputError(line_and_column(text, attribute.begin + 1),
+                     fmt::format("{}: a length without a unit, or in px, is wanted, not \"{}\"",
+                                 name, abbreviated(value)));
+  const auto end_of_value = static_cast<std::size_t>(value.data() + value.size() - text.data());
+  SvgNumbers in(text.substr(0, end_of_value), attribute.begin);
+  return in.number();
+}
+
 namespace {
 
 class ShapeReader {
@@ -46,18 +62,7 @@ class ShapeReader {
 
 std::optional<Rational> ShapeReader::length(std::string_view name) const {
   const auto found = attribute_(name);
-  if (!found) return std::nullopt;
-  std::string_view value = trimmed(text_.substr(found->begin, found->end - found->begin));
-  if (value == "auto") return std::nullopt;
-  if (value.ends_with("px")) value.remove_suffix(2);
-  const auto end = value.find_last_of("0123456789.");
-  if (end != std::string_view::npos && end + 1 < value.size())
-    throw InputError(line_and_column(text_, found->begin + 1),
-                     fmt::format("{}: a length without a unit, or in px, is wanted, not \"{}\"",
-                                 name, abbreviated(value)));
-  const auto end_of_value = static_cast<std::size_t>(value.data() + value.size() - text_.data());
-  SvgNumbers in(text_.substr(0, end_of_value), found->begin);
-  return in.number();
+  return found ? svg_length(text_, *found, name) : std::nullopt;
 }
 
 void ShapeReader::add(const RationalBezier& piece) {

@@ -15,6 +15,11 @@ struct SvgAttribute {
 /// Of an element the attribute of that name.
 using SvgAttributes = std::function<std::optional<SvgAttribute>(std::string_view name)>;
 
+/// A length that has no unit, or px; no value for "auto". `name` is that of the attribute. Throws
+/// InputError, its place line:column, for other units and for what is no number.
+std::optional<Rational> svg_length(std::string_view text, const SvgAttribute& attribute,
+                                   std::string_view name);
+
 /// Is it an element that is drawn: rect, circle, ellipse, line, polyline or polygon?
 bool is_svg_shape(std::string_view element);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/ellipse_arc.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -74,6 +76,44 @@ std::optional<Orientation> nearest_rotation(const std::array<Vector<Rational>, 3
     square = std::max(square, dot(off, off));
   }
   return Orientation{p, square_root_above(square)};
+}
+
+namespace {
+
+/// The cosine of an angle where that and the angle over π are fractions, as of multiples of 60° and
+/// 90° only [Niven 1956]; and is the sine < 0?
+std::optional<std::pair<Rational, bool>> rational_cosine(const Angle& angle) {
+  const Rational turns = angle.half_turns / 2;
+  const Rational part = 12 * (turns - Rational(floor(turns)));
+  if (angle.radians != 0 || denominator(part) != 1) return std::nullopt;
+  const auto twelfth = static_cast<std::size_t>(static_cast<long>(numerator(part)));
+  constexpr std::array<long, 12> twice_cosine{2, 9, 1, 0, -1, 9, -2, 9, -1, 0, 1, 9};
+  if (twice_cosine[twelfth] == 9) return std::nullopt;
+  return std::pair(Rational(twice_cosine[twelfth], 2), twelfth > 6);
+}
+
+}  // namespace
+
+// P = 1 + tan(α/2)·n, and tan(α/2) = sin α/(1 + cos α), tan²(α/2) = (1 − cos α)/(1 + cos α).
+RationalQuaternion rotation_about(const Vector<Rational>& axis, const Angle& angle) {
+  const Rational square = dot(axis, axis);
+  if (square == 0) throw DomainError("rotation: the axis is 0");
+  if (const auto known = rational_cosine(angle)) {
+    const auto& [cosine, is_negative] = *known;
+    if (cosine == -1) return {0, axis[0], axis[1], axis[2]};
+    if (const auto factor = square_root((1 - cosine) / ((1 + cosine) * square))) {
+      const Vector<Rational> n = (is_negative ? -*factor : *factor) * axis;
+      return {1, n[0], n[1], n[2]};
+    }
+  }
+  const PlaneVector turns = rotation_by_degrees(180 * angle.half_turns);
+  const PlaneVector rest = rotation_by_radians(angle.radians);
+  const Rational cosine = turns[0] * rest[0] - turns[1] * rest[1];
+  const Rational sine = turns[0] * rest[1] + turns[1] * rest[0];
+  constexpr long bits = 160;
+  const Rational length = sqrt_of_nonnegative(RealBall(square, bits), bits).midpoint();
+  const Vector<Rational> n = Rational(sine / ((1 + cosine) * length)) * axis;
+  return {1, n[0], n[1], n[2]};
 }
 
 // With G: i, j, k ↦ the axis and the next two, the frame of the body P is P·G; and j + k turns i,

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "phrame/algebra/angle.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/quaternion.hpp"
 
@@ -35,6 +36,11 @@ struct Orientation {
 /// where they are left-handed.
 PHRAME_API std::optional<Orientation> nearest_rotation(
     const std::array<Vector<Rational>, 3>& columns);
+
+/// P of the rotation by an angle about an axis, by the right hand: exactly where the angle over π
+/// and the matrix are fractions, as by 90° about z or 120° about (1, 1, 1); else the angle is
+/// within 2^−100 of that. Throws DomainError for the axis 0.
+PHRAME_API RationalQuaternion rotation_about(const Vector<Rational>& axis, const Angle& angle);
 
 /// The frame (e₁, f₂, f₃) of a body with this rotation, as integers without a common factor: Q with
 /// e₁ along Q i Q*, f₂ along Q j Q* and f₃ along Q k Q*.

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -24,7 +25,7 @@ void require_nonzero(const RationalQuaternion& u) {
   if (norm(u) == 0) throw DomainError("rotated: the quaternion is 0, so the curve is a point");
 }
 
-using Matrix = Vector<Vector<Rational>>;  ///< by columns
+using Matrix = std::array<Vector<Rational>, 3>;  ///< by columns
 
 /// A + (B − A)·t for numbers A and B; numbers where they are that.
 Formula between(const Formula& from, const Formula& to, const Rational& t) {
@@ -132,6 +133,7 @@ Curve rotated(const Curve& curve, const RationalQuaternion& u) {
 
 Path segment(const Path& path, const Rational& a, const Rational& b) {
   require_apart(a, b);
+  if (goes_on(path)) return Path(segment(*ph_curve(path.segments().front()), a, b));
   const auto [from, to] = std::minmax(a, b);
   for (const Rational& t : {from, to}) locate(path, t);  // where it throws
   std::vector<Segment> parts;
@@ -173,6 +175,52 @@ Path rotated(const Path& path, const RationalQuaternion& u) {
   require_nonzero(u);
   return mapped(path, [&](const Curve& curve) { return rotated(curve, u); },
                 {rotated_i(u), rotated_j(u), rotated_k(u)});
+}
+
+Vector<Rational> AffineMap::operator()(const Vector<Rational>& r) const {
+  return product(columns, r) + shift;
+}
+
+AffineMap composed(const AffineMap& first, const AffineMap& second) {
+  AffineMap both{{}, second(first.shift)};
+  for (std::size_t k = 0; k < 3; ++k) both.columns[k] = product(second.columns, first.columns[k]);
+  return both;
+}
+
+// MᵀM = c²·1, and det M = c³.
+std::optional<Similarity> similarity(const AffineMap& map) {
+  const auto& [x, y, z] = map.columns;
+  const Rational determinant = dot(cross(x, y), z);
+  if (determinant == 0) return std::nullopt;
+  const Rational factor = determinant / dot(x, x);
+  const Rational inverse = 1 / factor;
+  const auto rotation = nearest_rotation({inverse * x, inverse * y, inverse * z});
+  if (!rotation || rotation->off != 0) return std::nullopt;
+  return Similarity{factor, rotation->rotation};
+}
+
+Path transformed(const Path& path, const AffineMap& map) {
+  if (const auto found = similarity(map)) {
+    const Rational factor = found->factor / norm(found->rotation);
+    return mapped(
+        path,
+        [&](const Curve& curve) {
+          return translated(scaled(rotated(curve, found->rotation), factor), map.shift);
+        },
+        map.columns, map.shift);
+  }
+  std::vector<Segment> segments;
+  for (const Segment& segment : path.segments()) {
+    Segment next = visit_curve(
+        [&](const auto& curve) { return moved(curve, map.columns, map.shift); }, segment);
+    const RationalCurve* curve = rational_curve(next);
+    if (curve != nullptr && curve->weight().is_constant()) {
+      auto ph = identify(hodograph(*curve), point(*curve, 0));
+      if (auto* found = std::get_if<Curve>(&ph)) next = PhSegment(std::move(*found));
+    }
+    segments.push_back(std::move(next));
+  }
+  return joined(std::move(segments));
 }
 
 }  // namespace phrame

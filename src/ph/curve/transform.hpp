@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/curve/rotation.hpp"
 
 namespace phrame::inline v0 {
 
@@ -21,13 +22,40 @@ PHRAME_API Curve scaled(const Curve& curve, const Rational& c);
 PHRAME_API Curve rotated(const Curve& curve, const RationalQuaternion& u);
 
 /// @{ The same of every segment of a path, which goes on through its joints as before; what is PH
-/// is PH. Of a segment(path, a, b) a and b are in [0, end], else DomainError is thrown: of its
-/// segments the first and the last may be parts, each with a parameter of its own in [0, 1].
+/// is PH. Of a segment(path, a, b) a and b are in [0, end], but where the path goes_on(), else
+/// DomainError is thrown: of its segments the first and the last may be parts, each with a
+/// parameter of its own in [0, 1].
 PHRAME_API Path segment(const Path& path, const Rational& a, const Rational& b);
 PHRAME_API Path reversed(const Path& path);
 PHRAME_API Path translated(const Path& path, const Vector<Rational>& v);
 PHRAME_API Path scaled(const Path& path, const Rational& c);
 PHRAME_API Path rotated(const Path& path, const RationalQuaternion& u);
 /// @}
+
+/// r ↦ M·r + v.
+struct PHRAME_API AffineMap {
+  /// The columns of M.
+  std::array<Vector<Rational>, 3> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vector<Rational> shift{};  ///< v
+
+  /// M·r + v.
+  Vector<Rational> operator()(const Vector<Rational>& r) const;
+  friend bool operator==(const AffineMap&, const AffineMap&) = default;
+};
+/// First the one, then the other.
+PHRAME_API AffineMap composed(const AffineMap& first, const AffineMap& second);
+
+/// M as c·R with a rotation R over ℚ, c < 0 where it is a reflection, too.
+struct Similarity {
+  Rational factor;              ///< c
+  RationalQuaternion rotation;  ///< P of R, of any length
+};
+/// No value where M is none.
+PHRAME_API std::optional<Similarity> similarity(const AffineMap& map);
+
+/// The path under the map. By a similarity what is PH stays PH, with its preimage, turned; by
+/// others polynomial segments are PH where they are found to be. Throws DomainError where a segment
+/// becomes a point, and as Path::append where tangents turn back or nothing tells.
+PHRAME_API Path transformed(const Path& path, const AffineMap& map);
 
 }  // namespace phrame

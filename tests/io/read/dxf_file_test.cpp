@@ -7,11 +7,13 @@
 
 #include "io/reference.hpp"
 #include "phrame/ph/along/path_length.hpp"
+#include "support/text.hpp"
 
 namespace dxf_file_test {
 
 using namespace phrame;
 using std::numbers::pi;
+using test::contains;
 using test::refusal;
 
 namespace {
@@ -96,6 +98,56 @@ TEST_CASE("DXF: splines, ellipses, polylines of vertices, and what is mirrored")
   CHECK(point(*rational_curve(old.path.segments()[1]), 1) == Vector<Rational>{1, 1, 5});
   const NamedPath mirrored = read_any_path(dxf("0 ARC 10 1 20 0 40 1 50 0 51 90 230 -1"));
   CHECK(point(*rational_curve(mirrored.path.segments()[0]), 0) == Vector<Rational>{-2, 0, 0});
+}
+
+/// With a block, its entities and its base point.
+std::string with_block(const std::string& block, const std::string& groups) {
+  const std::string all =
+      dxf("0 BLOCK " + block + " 0 ENDBLK 0 ENDSEC 0 SECTION 2 ENTITIES " + groups);
+  return all.substr(0, all.find("ENTITIES")) + "BLOCKS" + all.substr(all.find("ENTITIES") + 8);
+}
+
+Vector<Rational> start_of(const NamedPath& named) {
+  return point(*rational_curve(named.path.segments().front()), 0);
+}
+Vector<Rational> end_of(const NamedPath& named) {
+  return point(*rational_curve(named.path.segments().back()), 1);
+}
+
+// A point p comes to at + R(S(p − base)) [DXF Reference, INSERT].
+TEST_CASE("DXF: blocks are where they are put, turned, scaled, in rows and in one another") {
+  const std::string line = "2 mark 10 1 20 1 30 0 0 LINE 5 A 8 0 10 1 20 1 11 3 21 1";
+  const NamedPath put =
+      read_any_path(with_block(line, "0 INSERT 5 B 8 tool 2 mark 10 10 20 20 30 5"));
+  CHECK(start_of(put) == Vector<Rational>{10, 20, 5});
+  CHECK(end_of(put) == Vector<Rational>{12, 20, 5});
+  const NamedPath turned =
+      read_any_path(with_block(line, "0 INSERT 2 mark 8 tool 10 10 20 20 41 3 42 2 43 1 50 90"));
+  CHECK(start_of(turned) == Vector<Rational>{10, 20, 0});
+  CHECK(end_of(turned) == Vector<Rational>{10, 26, 0});
+  const NamedPath mirrored =
+      read_any_path(with_block(line, "0 INSERT 2 mark 8 tool 10 10 20 20 230 -1"));
+  CHECK(end_of(mirrored) == Vector<Rational>{-12, 20, 0});
+  // Two columns beside each other, turned with the block: by its layer, and handles.
+  const std::string columns =
+      with_block(line, "0 INSERT 5 B 8 tool 2 mark 10 0 20 0 50 90 70 2 71 1 44 2 45 9");
+  CHECK(end_of(picked(columns, "tool")) == Vector<Rational>{0, 4, 0});
+  const std::string apart =
+      with_block(line, "0 INSERT 5 B 8 tool 2 mark 10 0 20 0 0 INSERT 5 C 8 tool 2 mark 10 0 20 7");
+  CHECK(start_of(picked(apart, "C/A")) == Vector<Rational>{0, 7, 0});
+  // A circle that is stretched is an ellipse, here of the half axes 4 and 2.
+  const NamedPath ellipse = read_any_path(
+      with_block("2 o 10 0 20 0 0 CIRCLE 8 0 10 0 20 0 40 2", "0 INSERT 8 a 2 o 10 0 20 0 41 2"));
+  CHECK(length_of(ellipse) == doctest::Approx(19.376896441095454).epsilon(1e-12));
+  const NamedPath nested = read_any_path(
+      with_block(line + " 0 ENDBLK 0 BLOCK 2 outer 10 0 20 0 0 INSERT 8 0 2 mark 10 5 20 0",
+                 "0 INSERT 8 tool 2 outer 10 0 20 1 41 2 42 2"));
+  CHECK(start_of(nested) == Vector<Rational>{10, 1, 0});
+  CHECK(end_of(nested) == Vector<Rational>{14, 1, 0});
+  CHECK(contains(
+      refusal(with_block("2 a 10 0 20 0 0 INSERT 8 0 2 a 10 0 20 0", "0 INSERT 8 0 2 a 10 0 20 0")),
+      "INSERT: blocks are in blocks more than 32 deep"));
+  CHECK(contains(refusal(dxf("0 INSERT 8 0 2 lost 10 0 20 0")), "it has INSERT"));
 }
 
 TEST_CASE("DXF: what is not read is refused by its line") {

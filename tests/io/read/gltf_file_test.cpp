@@ -1,6 +1,7 @@
 #include "phrame/io/read/gltf_file.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "io/reference.hpp"
 #include "phrame/ph/curve/place.hpp"
@@ -51,6 +52,29 @@ TEST_CASE("glTF: the way of a node by the times of its animation, by lines or cu
   CHECK(smooth.path == read_any_path(R"({"phrame": "curve/1",
       "control_points": [[0,0,0],[1,0,0],[3,1,0],[3,3,0]]})")
                            .path);
+}
+
+TEST_CASE("glTF: buffers in other files, and data that are not base64") {
+  const std::string embedded = gltf(lines, "48", "12", "3 3", "LINEAR");
+  const auto uri = embedded.find("data:");
+  const auto with_uri = [&](const std::string& other) {
+    return embedded.substr(0, uri) + other + embedded.substr(embedded.find('"', uri));
+  };
+  const float numbers[] = {0.5F, 1, 3, 0, 0, 0, 1, 2, 0, 3, 1, 2};
+  const std::string bytes(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  FileReading reading;
+  reading.beside = [&](const std::string& name) {
+    CHECK(name == "my fly.bin");
+    return bytes;
+  };
+  const Path path = read_any_path(embedded).path;
+  CHECK(read_any_path(with_uri("my%20fly.bin"), {}, reading).path == path);
+  std::string percents = "data:application/octet-stream,";
+  for (const char c : bytes) percents += fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  CHECK(read_any_path(with_uri(percents)).path == path);
+  CHECK(refusal(with_uri("fly.bin")).starts_with("/buffers/0/uri: the data is in another file"));
+  for (const char* outside : {"../fly.bin", "/fly.bin", "file:fly.bin", "%2ffly.bin"})
+    CHECK_THROWS_AS(read_any_path(with_uri(outside), {}, reading), InputError);
 }
 
 TEST_CASE("glTF: what is no curve is refused by its place") {

@@ -1,16 +1,19 @@
 #include "phrame/io/read/svg_shape.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <numbers>
 
 #include "io/reference.hpp"
 #include "phrame/ph/along/path_length.hpp"
+#include "support/text.hpp"
 
 namespace svg_shape_test {
 
 using namespace phrame;
 using std::numbers::pi;
+using test::contains;
 using test::refusal;
 
 namespace {
@@ -79,9 +82,59 @@ TEST_CASE("SVG shapes: what cannot be read is refused where it is") {
   CHECK(refused("<circle r='x'/>").ends_with("a number is expected, not \"x\""));
   CHECK(refused("<polygon points='0,0 1'/>").ends_with("a number is expected, not the end"));
   CHECK(refused("<rect/>").ends_with("the file draws no path and no shape"));
-  CHECK(refused("<use href='#a'/>")
-            .ends_with("the file draws no path and no shape; what <use> draws is not followed: "
-                       "unlink the clones"));
+  CHECK(
+      refused("<use href='#a'/>")
+          .ends_with("the file draws no path and no shape; <use> refers to \"#a\", which is no id "
+                     "of this file"));
+  CHECK(
+      refused("<g id='a'><use href='#a'/></g>").ends_with("<use> refers to itself, or too deeply"));
+  // 2³⁰ lines.
+  std::string doubled = "<defs><line id='u0' x2='1'/>";
+  for (int k = 0; k < 30; ++k)
+    doubled += fmt::format("<g id='u{}'><use href='#u{}'/><use href='#u{}'/></g>", k + 1, k, k);
+  CHECK(contains(refused(doubled + "</defs><use href='#u30'/>"),
+                 "<use> draws more than 200000 elements"));
+}
+
+// SVG 2, 5.5: what <use> draws is moved by x and y, within its transform.
+TEST_CASE("SVG shapes: what <use> refers to is drawn where it says") {
+  const std::string part = "<defs><path id='p' d='M0 0H1V1'/></defs>";
+  CHECK(read(part + "<use href='#p' x='2' y='3'/>").path == read_any_path("M2 3H3V4").path);
+  CHECK(read(part + "<use xlink:href='#p' transform='scale(2)' x='2' y='3'/>").path ==
+        read_any_path("M4 6H6V8").path);
+  CHECK(read(part + "<g id='g' transform='translate(0 5)'><use id='u' href='#p'/></g>").path ==
+        read_any_path("M0 5H1V6").path);
+  CHECK(read(part + "<use href='#lost'/><use href='#p'/>").path == read_any_path("M0 0H1V1").path);
+  const std::string two = part + "<use id='a' href='#p'/><use id='b' href='#p' y='7'/>";
+  CHECK(read(two, "b").path == read_any_path("M0 7H1V8").path);
+  CHECK(refused(two).ends_with("--pick names one: a, b"));
+  const std::string group = "<g id='g'><line id='l' x2='1'/><line id='m' y2='1'/></g>";
+  CHECK(read(group + "<use id='c' href='#g' x='1'/>", "c/m").path == read_any_path("M1 0V1").path);
+}
+
+// SVG 2, 8.2: the view box is as large as fits, in the middle, unless something else is said.
+TEST_CASE("SVG shapes: view boxes of symbols and of what is nested are applied") {
+  const std::string line = "<line x1='10' y1='20' x2='20' y2='20'/>";
+  const auto symbol = [&](const std::string& more) {
+    return "<symbol id='s' viewBox='10 20 10 10'" + more + ">" + line + "</symbol>" +
+           "<use href='#s' x='100' width='40' height='20'/>";
+  };
+  CHECK(read(symbol("")).path == read_any_path("M110 0H130").path);
+  CHECK(read(symbol(" preserveAspectRatio='xMinYMax'")).path == read_any_path("M100 0H120").path);
+  CHECK(read(symbol(" preserveAspectRatio='xMaxYMid'")).path == read_any_path("M120 0H140").path);
+  CHECK(read(symbol(" preserveAspectRatio='none'")).path == read_any_path("M100 0H140").path);
+  CHECK(read(symbol(" preserveAspectRatio='xMidYMid slice'")).path ==
+        read_any_path("M100 -10H140").path);
+  CHECK(
+      read("<svg x='1' y='2' width='20' height='20' viewBox='0 0 10 10'>" + line + "</svg>").path ==
+      read_any_path("M21 42H41").path);
+  // The outer view box says what percentages are of, and is not applied itself.
+  CHECK(
+      read_any_path("<svg viewBox='0 0 50 100'><svg width='40%' height='20%' viewBox='0 0 10 10'>" +
+                    line + "</svg></svg>")
+          .path == read_any_path("M20 40H40").path);
+  CHECK(contains(refused("<svg viewBox='0 0 10 10'>" + line + "</svg>"),
+                 "the size of what a viewBox fills is not known"));
 }
 
 }  // namespace svg_shape_test

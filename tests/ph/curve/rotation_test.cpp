@@ -1,5 +1,8 @@
 #include "phrame/ph/curve/rotation.hpp"
 
+#include <cmath>
+
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -102,6 +105,29 @@ TEST_CASE("rotation: the frame of a body has the tangent axis, and the next two 
     }
   CHECK(name_of({2, true}) == "-z");
   CHECK(name_of({}) == "x");
+}
+
+// About its axis a rotation turns nothing of it, and 1 + 2 cos α is its trace.
+TEST_CASE("rotation: about an axis by an angle, exactly by right angles") {
+  CHECK(axes_of(rotation_about({0, 0, 5}, Angle(Rational(1, 2), 0))) ==
+        Columns{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+  CHECK(axes_of(rotation_about({1, 2, 2}, Angle(-1, 0)))[0] ==
+        Vector<Rational>{Rational(-7, 9), Rational(4, 9), Rational(4, 9)});
+  CHECK(axes_of(rotation_about({1, 1, 1}, Angle(Rational(-2, 3), 0))) ==
+        Columns{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}});
+  CHECK(axes_of(rotation_about({3, 1, 1}, Angle())) == Columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  for (const Angle& angle :
+       {Angle(1), Angle(Rational(1, 3), Rational(1, 7)), Angle(-20), Angle(Rational(3, 2), 0)}) {
+    const auto [x, y, z] = axes_of(rotation_about({1, -1, 3}, angle));
+    const Vector<Rational> axis = x - y + Rational(3) * z;
+    CHECK(axis == Vector<Rational>{1, -1, 3});
+    const double alpha = round_to_double(to_real(angle));
+    CHECK(round_to_double(x[0] + y[1] + z[2]) == doctest::Approx(1 + 2 * std::cos(alpha)));
+    // By the right hand: for small α > 0 the x axis turns towards z × x = y about z.
+    const Vector<Rational> turned = cross(x, Vector<Rational>{1, 0, 0});
+    CHECK(round_to_double(Rational(dot(turned, axis))) * std::sin(alpha) < 0);
+  }
+  CHECK_THROWS_AS(rotation_about({0, 0, 0}, Angle(1)), DomainError);
 }
 
 }  // namespace rotation_test

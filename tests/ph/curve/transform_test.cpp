@@ -197,6 +197,15 @@ Path with_a_cusp() {
                  test::expression_curve({"17/4 + 4*s", "25/8 + 3*s", "s^2"}, "0", "1")});
 }
 
+/// X/W of the segments that have them.
+std::vector<std::pair<Vector<Polynomial>, Polynomial>> by_positions_of(const Path& path) {
+  std::vector<std::pair<Vector<Polynomial>, Polynomial>> found;
+  for (const Segment& segment : path.segments())
+    if (const RationalCurve* curve = rational_curve(segment))
+      found.emplace_back(curve->numerator(), curve->weight());
+  return found;
+}
+
 Vector<double> near_point(const Path& path, const Rational& t) {
   return round_to_double(position(path, locate(path, t)));
 }
@@ -234,6 +243,50 @@ TEST_CASE("transform: paths of segments of every kind are moved point by point, 
     });
     CHECK(scaled(scaled(path, -2), Rational(-1, 2)).segments().size() == path.segments().size());
   }
+}
+
+TEST_CASE(
+    "transform: a path under any matrix is moved point by point; similarities keep what is PH") {
+  const std::vector<std::pair<AffineMap, bool>> maps{
+      {{{{{0, 3, 0}, {-3, 0, 0}, {0, 0, 3}}}, {1, 2, 3}}, true},         // a turn by 90°, thrice
+      {{{{{1, 2, 2}, {2, 1, -2}, {2, -2, 1}}}, {}}, true},               // 3 times a reflection
+      {{{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}, {0, 0, 1}}, true},         // in a plane
+      {{{{{1, 0, 0}, {Rational(1, 2), 2, 0}, {0, 1, 1}}}, {}}, false},   // a shear
+      {{{{{1, 0, 0}, {0, 1, 0}, {Rational(1, 3), 1, 0}}}, {}}, false}};  // a projection
+  for (const auto& [map, is_similar] : maps) {
+    CHECK(similarity(map).has_value() == is_similar);
+    for (const Path& path : {of_three_kinds(), with_a_cusp(), Path(test::closed_loop())}) {
+      const Path now = transformed(path, map);
+      CHECK(joined(now.segments()) == now);
+      if (is_similar) CHECK(now.is_ph() == path.is_ph());
+      for (long k = 0; k <= 4 * static_cast<long>(path.segments().size()); ++k) {
+        const auto found = near_point(now, Rational(k, 4));
+        const auto r = near_point(path, Rational(k, 4));
+        for (std::size_t j = 0; j < 3; ++j) {
+          double expected = round_to_double(map.shift[j]);
+          for (std::size_t i = 0; i < 3; ++i) expected += round_to_double(map.columns[i][j]) * r[i];
+          CHECK(found[j] == doctest::Approx(expected).epsilon(1e-13));
+        }
+      }
+      // A shear and back: what is PH is found again.
+      if (map.columns[1][0] == Rational(1, 2)) {
+        const AffineMap back{{{{1, 0, 0},
+                               {Rational(-1, 4), Rational(1, 2), 0},
+                               {Rational(1, 4), Rational(-1, 2), 1}}},
+                             {}};
+        CHECK(composed(map, back) == AffineMap{});
+        CHECK(transformed(now, back).is_ph() == path.is_ph());
+        CHECK(by_positions_of(transformed(now, back)) == by_positions_of(path));
+      }
+    }
+  }
+  const Path line(bezier_curve({{0, 0, 0}, {-1, -3, 3}}));
+  CHECK_THROWS_AS(transformed(line, maps.back().first), DomainError);
+}
+
+TEST_CASE("transform: a curve that goes on has parts before and behind [0, 1], too") {
+  const Curve curve({{1}, {}, {}, {0, 1}});
+  CHECK(segment(Path(curve), -1, 3) == Path(segment(curve, -1, 3)));
 }
 
 TEST_CASE("transform: a path runs backwards, and twice backwards is the path, with −A for A") {
