@@ -223,8 +223,9 @@ void PathAngle::set_route(Route route) { state_ = std::make_shared<State>(*state
 
 /// θ at the start of the segment.
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
-  const long enough = (bits + 31) / 32 * 32;  // few precisions are kept
-  const long more = enough + 32;              // for sums of many terms
+  // Few precisions are kept.
+  const long enough = bits <= first_bits_of_sums ? first_bits_of_sums : (bits + 31) / 32 * 32;
+  const long more = enough + 32;  // for sums of many terms
   const std::lock_guard lock(sums_lock);
   std::vector<RealBall>& known = sums[enough];
   known.reserve(path.segments().size() + 1);

@@ -148,13 +148,11 @@ PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
 using SegmentTotal = std::variant<PathTotal::OfSegment, Infinite>;
 using OfSegment = SegmentTotal (*)(const Segment&);
 
-constexpr long first_bits = 96;
-
 /// The term, of which only a ball is kept; where more digits are asked for it is found again.
 template <class Again>
 Real kept_ball(const Real& term, const Again& again) {
-  return Real([again, first = term.enclose(first_bits)](long bits) {
-    return bits <= first_bits ? first : again().enclose(bits);
+  return Real([again, first = term.enclose(first_bits_of_sums)](long bits) {
+    return bits <= first_bits_of_sums ? first : again().enclose(bits);
   });
 }
 
@@ -180,6 +178,7 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
   if (form == nullptr || form->exact) return std::nullopt;
   const auto shared = std::make_shared<const Path>(path);
   std::vector<Real> terms;
+  constexpr long bits = first_bits_of_sums;
   RealBall value;
   RealBall rational;
   Stage stage("segments", path.segments().size());
@@ -191,8 +190,8 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
     const auto found = value_without_closed_form(rate);
     if (!found) return std::nullopt;
     terms.push_back(kept_ball(*found, [term] { return *term(); }));
-    value = add(value, terms.back().enclose(first_bits), first_bits);
-    rational = add(rational, RealBall(without_logarithms(rate), first_bits), first_bits);
+    value = add(value, terms.back().enclose(bits), bits);
+    rational = add(rational, RealBall(without_logarithms(rate), bits), bits);
   }
   if (value.overlaps(rational)) return std::nullopt;
   return PathTotal{{terms.begin(), terms.end()}, known_irrational(sum_of(terms)), std::nullopt};

@@ -47,6 +47,8 @@ void find_together(const Path& path, const std::vector<CurveIntegrand>& integran
 
 /// Of a path so many are kept at a time, the last ones: each takes some kilobytes.
 inline constexpr std::size_t most_kept_integrals = 1024;
+/// To so many bits at least the terms of a sum are known: 17 digits of it take hardly more.
+inline constexpr long first_bits_of_sums = 88;
 
 /// @{ θ of the rotation-minimizing frame to the frame of v, which is nowhere along the tangent, and
 /// to the Frenet frame (rational_rates.hpp). That is continued through the inflections of rational

@@ -56,11 +56,11 @@ Real sum_of(const std::vector<Real>& terms) {
       others.push_back(x);
   }
   if (others.empty()) return exact;
-  const auto guard = 8 + static_cast<long>(std::bit_width(others.size()));
+  const long guard = std::bit_width(others.size());
   return cached(Real([exact, others, guard](long bits) {
-    const long more = bits + guard;
-    RealBall sum(exact, more);
-    for (const Real& x : others) sum = add(sum, x.enclose(more), more);
+    const long more = bits + 8;
+    RealBall sum(exact, more + guard);
+    for (const Real& x : others) sum = add(sum, x.enclose(more), more + guard);
     return sum;
   }));
 }
