@@ -11,6 +11,8 @@
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/bspline.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -224,6 +226,27 @@ TEST_CASE("path totals: law: pieces of random curves have the totals of the whol
     REQUIRE(whole.index() == energy.index());
     if (whole.index() == 0) check_equal(finite(energy), std::get<CurveTotal>(whole).value);
   });
+}
+
+TEST_CASE(
+    "path totals: closed forms of a spline are found where they tell whether the sum is known") {
+  const Path random = Path(cut(test::quintic, {Rational(1, 3), Rational(1, 2)}));
+  for (const PathTotal& sum :
+       {finite(bending_energy(random)), finite(frenet_energy(random)), total_torsion(random)}) {
+    CHECK(closed_form(sum.segments[1]) == nullptr);
+    CHECK(sum.value.origin().is_irrational);
+    CHECK_FALSE(sum.exact);
+    Real parts = Rational(0);
+    for (const auto& of : sum.segments) parts = parts + value_of(of);
+    CHECK(digits(parts, 40) == digits(sum.value, 40));
+  }
+  // Of a curve and its mirror image the torsions cancel.
+  const Vector<Polynomial> h = hodograph(test::quintic);
+  Path both(test::quintic);
+  both.append(PhSegment(std::get<Curve>(identify({h[0], h[1], -h[2]}, end_point(test::quintic)))));
+  const PathTotal none = total_torsion(both);
+  CHECK(none.value.exact() == Rational(0));
+  CHECK(closed_form(none.segments[0]) != nullptr);
 }
 
 TEST_CASE("path totals: the twisted cubic [mpmath: quad of the definitions]") {
