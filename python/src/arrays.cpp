@@ -249,8 +249,13 @@ nb::object points(const PathObject& self, nb::handle ts, const Text<"by">& by,
 Roll roll_of(nb::handle roll, std::size_t segments) {
   if (roll.is_none()) return {};
   const Roll found = [&]() -> Roll {
-    if (PyUnicode_Check(roll.ptr()) != 0)
-      return at_place("roll", [&] { return parse_roll(text(roll, "roll")); });
+    if (PyUnicode_Check(roll.ptr()) != 0) {
+      try {
+        return parse_roll(text(roll, "roll"));
+      } catch (const InputError& error) {
+        refuse("roll", error.what(), roll);
+      }
+    }
     if (!is_list(roll)) {
       const Angle angle = angle_number(roll, "roll");
       return Roll::Piece{RationalFunction(Polynomial{angle.half_turns}),

@@ -145,7 +145,7 @@ void add_skip_invalid(Command& command, FileReading& reading) {
 void RollOption::add_to(Command& command) {
   command.add_option(
       "--roll", "EXPR", roll,
-      "an angle by which the frame is turned about e1 beside: a rational function\n"
+      "an angle by which the frame is turned about e1 beside: 15deg, a rational function\n"
       "of t in radians, \"t^2/3\", or in degrees, \"30*t deg\", or a list of angles at\n"
       "t = 0, 1, ..., between which it is linear");
   command.add_option("--roll-column", "NAME", column,

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/io/read/angle.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/number.hpp"
@@ -17,6 +18,13 @@ Roll parse_roll(std::string_view text) {
       at = end + 1;
     }
     return Roll(angles);
+  }
+  try {
+    const Angle angle = parse_angle(text);
+    return Roll::Piece{RationalFunction(Polynomial{angle.half_turns}),
+                       RationalFunction(Polynomial{angle.radians})};
+  } catch (const InputError&) {
+    // It is no constant, or what follows tells why it is none.
   }
   const bool are_degrees = text.ends_with("deg");
   const std::string formula(trimmed(are_degrees ? text.substr(0, text.size() - 3) : text));
