@@ -129,12 +129,13 @@ def _of_occt(curve: Any) -> Any:
     from ._phrame import parse
 
     shape = getattr(curve, "wrapped", curve)
-    kind = type(shape).__name__
-    if kind not in ("TopoDS_Edge", "TopoDS_Wire"):
+    kind = str(getattr(shape, "ShapeType", lambda: None)()).rpartition(".")[2]
+    if kind not in ("TopAbs_EDGE", "TopAbs_WIRE"):
         raise _refuse(curve, f"a {type(curve).__name__} is no curve: an edge or a wire is")
     edges = [shape]
-    if kind == "TopoDS_Wire":
-        explorer, edges = import_module("OCP.BRepTools").BRepTools_WireExplorer(shape), []
+    if kind == "TopAbs_WIRE":
+        wire = _occt("TopoDS", "TopoDS", "Wire")(shape)
+        explorer, edges = import_module("OCP.BRepTools").BRepTools_WireExplorer(wire), []
         while explorer.More():
             edges.append(explorer.Current())
             explorer.Next()
@@ -143,19 +144,26 @@ def _of_occt(curve: Any) -> Any:
     return parse(json.dumps({"phrame": "spline/1", "segments": [_nurbs_of_edge(curve, edge) for edge in edges]}))
 
 
+def _occt(module: str, kind: str, name: str) -> Any:
+    """A static function, whose name ends with _s before release 8."""
+    found = getattr(import_module("OCP." + module), kind)
+    return getattr(found, name + "_s", None) or getattr(found, name)
+
+
 def _nurbs_of_edge(curve: Any, edge: Any) -> Dict[str, Any]:
-    if import_module("OCP.BRep").BRep_Tool.Degenerated_s(edge):
+    edge = _occt("TopoDS", "TopoDS", "Edge")(edge)
+    if _occt("BRep", "BRep_Tool", "Degenerated")(edge):
         raise _refuse(curve, "an edge of it is a point")
     adaptor = import_module("OCP.BRepAdaptor").BRepAdaptor_Curve(edge)
     trimmed = import_module("OCP.Geom").Geom_TrimmedCurve(adaptor.Curve().Curve(), adaptor.FirstParameter(), adaptor.LastParameter())
-    spline = import_module("OCP.GeomConvert").GeomConvert.CurveToBSplineCurve_s(trimmed)
+    spline = _occt("GeomConvert", "GeomConvert", "CurveToBSplineCurve")(trimmed)
     spline.Transform(adaptor.Trsf())
     if spline.IsPeriodic():
         spline.SetNotPeriodic()
     if edge.Orientation() == import_module("OCP.TopAbs").TopAbs_Orientation.TopAbs_REVERSED:
         spline.Reverse()
     points = [spline.Pole(k) for k in range(1, spline.NbPoles() + 1)]
-    segment = {
+    segment: Dict[str, Any] = {
         "phrame": "nurbs/1" if spline.IsRational() else "bspline/1",
         "degree": spline.Degree(),
         "knots": [float(spline.Knot(k)).hex() for k in range(1, spline.NbKnots() + 1)],

@@ -516,6 +516,7 @@ def test_edges_of_open_cascade():
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire
     from OCP.GC import GC_MakeArcOfCircle
     from OCP.TopLoc import TopLoc_Location
+    from OCP.TopoDS import TopoDS
 
     line = BRepBuilderAPI_MakeEdge(ocp.gp_Pnt(0, 0, 0), ocp.gp_Pnt(0, 10, 0)).Edge()
     arc = BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(ocp.gp_Pnt(0, 10, 0), ocp.gp_Pnt(3, 14, 0), ocp.gp_Pnt(10, 15, 2)).Value()).Edge()
@@ -523,7 +524,7 @@ def test_edges_of_open_cascade():
     turn = ocp.gp_Trsf()
     turn.SetRotation(ocp.gp_Ax1(ocp.gp_Pnt(1, 2, 3), ocp.gp_Dir(1, 1, 0)), 0.5)
     for edge in (line, arc, arc.Reversed(), arc.Moved(TopLoc_Location(turn))):
-        path, adaptor = phrame.Path.of(edge), BRepAdaptor_Curve(edge)
+        path, adaptor = phrame.Path.of(edge), BRepAdaptor_Curve(TopoDS.Edge(edge))
         ends = [adaptor.Value(t) for t in (adaptor.FirstParameter(), adaptor.LastParameter())]
         if edge.Orientation() != line.Orientation():
             ends.reverse()
