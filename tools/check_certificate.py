@@ -341,6 +341,41 @@ class Fixed:
         return self.arctan_table[j] + self.series(8 * a - j * b, 8 * b + j * a, -1)
 
 
+def cos_sin(x, P):
+    """(n, m, error): cos x and sin x are within error of n and m, all in units of 2^-P. The angle is halved until
+    it is below 1/2, of which Taylor's sums end when a term is 0. A term has half of the error of the one before
+    and less than 3 more, so that none has 6, and there are fewer than P. With cos 2y = 2 cos^2 y - 1 and sin 2y
+    = 2 sin y cos y an error e becomes at most 4e + 2e^2, and one rounding."""
+    halvings = 1 + (abs(x.numerator) // x.denominator).bit_length()
+    y = (x.numerator << P) // (x.denominator << halvings)
+    sums, term, k = [0, 0, 0, 0], 1 << P, 0
+    while term not in (0, -1):
+        sums[k % 4] += term
+        k += 1
+        term = (term * y >> P) // k
+    n, m, error = sums[0] - sums[2], sums[1] - sums[3], 6 * P + 12
+    for _ in range(halvings):
+        n, m = (n * n >> (P - 1)) - (1 << P), n * m >> (P - 1)
+        error = 4 * error + 2 + (error * error >> (P - 1))
+    return n, m, error
+
+
+def require_double(entry, low, high, what):
+    """The double next to the decimal number is that next to each number in [low, high], ties to even. With u = 2^e,
+    the unit in its last place, it is mu, m < 2^53; where m is 2^52 the next one below is half as far away."""
+    size, e = abs(entry), -1074
+    if size:
+        e = max(e, size.numerator.bit_length() - size.denominator.bit_length() - 53)
+        while round(size / Fraction(2) ** e) >= 1 << 53:
+            e += 1
+    u = Fraction(2) ** e
+    m = round(entry / u)
+    below, above = (u / 4 if m == side << 52 and e > -1074 else u / 2 for side in (1, -1))
+    low, high = low - m * u + below, high - m * u - above
+    is_next = (low > 0 or low == 0 and m % 2 == 0) and (high < 0 or high == 0 and m % 2 == 0)
+    require(is_next, "%s is not proved to be the double next to the exact number" % what)
+
+
 # Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
 # a function of a value and its place (a JSON pointer), which returns what it reads.
 
@@ -599,6 +634,12 @@ def hodograph_of(f, A):
     """f A i A*"""
     u, v, p, q = A
     return [f * a for a in (u * u + v * v - p * p - q * q, (u * q + v * p) * 2, (v * q - u * p) * 2)]
+
+
+def integral_of(a):
+    """From 0."""
+    common = reduce(lambda n, k: n * k // gcd(n, k), range(1, len(a.c) + 1), 1)
+    return Poly([0] + [x * (common // k) for k, x in enumerate(a.c, 1)], a.d * common)
 
 
 def exact_form(hodograph, start):
@@ -886,6 +927,53 @@ class Proof:
             rounding += abs(k) * 25 * bits << self.B
         return n, rounding, error
 
+    def axes(self, t):
+        """A i A*, A j A* and A k A* over |A|^2 at t, of A without its zeros."""
+        u, v, p, q = (a.over(self.K0)(t) for a in self.C.A)
+        uu, vv, pp, qq = u * u, v * v, p * p, q * q
+        rows = ((uu + vv - pp - qq, 2 * (u * q + v * p), 2 * (v * q - u * p)),
+                (2 * (v * p - u * q), uu - vv + pp - qq, 2 * (u * v + p * q)),
+                (2 * (u * p + v * q), 2 * (p * q - u * v), uu - vv - pp + qq))
+        return [[x / (uu + vv + pp + qq) for x in row] for row in rows]
+
+    def first_normal(self):
+        """(cos phi, sin phi) of the angle phi of f2(0) to e2(0). It is where the least rotation that takes the x
+        axis to e1(0) = (a, b, c) takes the y axis: (-b, a + c^2/(1 + a), -bc/(1 + a))."""
+        (a, b, c), e2, e3 = self.axes(Fraction(0))
+        require(a != -1, "the tangent at the start is -x")
+        f2 = -b, a + c * c / (1 + a), -b * c / (1 + a)
+        return tuple(sum(x * y for x, y in zip(f2, e)) for e in (e2, e3))
+
+    def cos_sin(self, claim):
+        """(C, S, off): those of theta are within off of C and S."""
+        if claim.t == 0 or not self.N:
+            return 1, 0, 0
+        require(claim.radius < 1, "the angle is known to %s only" % claim.radius)
+        P = 128 + min(4096, max(0, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()))
+        n, m, error = cos_sin(claim.theta, P)
+        return Fraction(n, 1 << P), Fraction(m, 1 << P), Fraction(error, 1 << P) + claim.radius
+
+    def table(self, rows):
+        """The rows are t, r, e1, f2, f3 at the t of the claims, in the doubles next to the exact numbers:
+        f2 = cos(theta + phi) e2 + sin(theta + phi) e3, f3 = -sin(theta + phi) e2 + cos(theta + phi) e3."""
+        require(not self.frenet, "the angles are those to the Frenet frame")
+        rows_wanted = len(self.C.claims)
+        require(len(rows) == rows_wanted, "it has %d rows, and there are %d angles" % (len(rows), rows_wanted))
+        require(next(c for c in self.f.c if c) > 0, "the multiplier is negative at the start")
+        a, b = self.first_normal()
+        start = getattr(self.C.curve, "start", [0, 0, 0])
+        paths = [integral_of(a) for a in self.hodograph]
+        for k, (row, claim) in enumerate(zip(rows, self.C.claims), 1):
+            self.rest_on([claim.text])
+            e1, e2, e3 = self.axes(claim.t)
+            C, S, off = self.cos_sin(claim)
+            C, S, off = C * a - S * b, S * a + C * b, off * (abs(a) + abs(b))
+            values = [(x, 0) for x in (claim.t, *(x + p(claim.t) for x, p in zip(start, paths)), *e1)]
+            values += [(C * x + S * y, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
+            values += [(C * y - S * x, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
+            for name, entry, (x, error) in zip(TABLE, row, values):
+                require_double(entry, x - error, x + error, "row %d, %s" % (k, name))
+
     # The decisions: x, y, z stand for A i A*, and each law is that of the page's table.
 
     def regular(self, decision):
@@ -983,6 +1071,25 @@ def read_file(name):
         raise Malformed(" " + error.strerror)
 
 
+NUMBER = re.compile(r"(?=.{1,400}$)-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]{1,3})?")
+TABLE = ["t"] + [v + axis for v in ("", "e1", "f2", "f3") for axis in "xyz"]
+
+
+def read_table(name):
+    """The rows of a table as phrame frames writes it."""
+    try:
+        lines = read_file(name).decode("ascii").splitlines()
+    except UnicodeDecodeError:
+        raise Malformed(" it is no text") from None
+    if not lines or lines[0] != ",".join(TABLE):
+        raise Malformed(" its first line is not %s" % ",".join(TABLE))
+    rows = [line.split(",") for line in lines[1:]]
+    for k, row in enumerate(rows):
+        if len(row) != len(TABLE) or not all(map(NUMBER.fullmatch, row)):
+            raise Malformed(" line %d: %d decimal numbers are wanted" % (k + 2, len(TABLE)))
+    return [[Fraction(x) for x in row] for row in rows]
+
+
 def check(name, options):
     """Checks one file and prints what is proved; returns the exit status."""
     at = name
@@ -991,10 +1098,15 @@ def check(name, options):
         if options.curve:
             at = options.curve
             proof.state("curve of " + at, proof.is_of, (), *read_curve(at, options))
+        if options.table:
+            at = options.table
+            rows = read_table(at)
     except Malformed as error:
         print("check_certificate.py: %s:%s" % (at, error), file=sys.stderr)
         return 2
     lines = proof.run()
+    if options.table:
+        proof.state("table " + options.table, proof.table, (), rows)
     if len(options.files) > 1:
         print("%s:" % name)
     if not options.quiet:
@@ -1019,6 +1131,9 @@ def main():
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
                         help="the curve it must be of: a curve/1 with a preimage or control points")
+    parser.add_argument("--table", metavar="FILE",
+                        help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
+                             "double next to the exact one?")
     parser.add_argument("-q", "--quiet", action="store_true",
                         help="print only what is not proved, and the last line")
     parser.add_argument("--max-degree", type=int, default=MAX_DEGREE, metavar="N",

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
+#include <sstream>
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
@@ -11,6 +13,7 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/sha256.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/proof/check_table.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::inline v0::cli {
@@ -19,6 +22,7 @@ namespace {
 struct VerifyOptions {
   std::string path;
   std::optional<std::string> curve;
+  std::optional<std::string> table;
   std::string output = "-";
   CertificateLimits limits;
   bool is_unlimited = false;
@@ -41,6 +45,29 @@ Statement check_curve(const Certificate& c, const std::string& path, const Curve
   return {"curve of " + path, objection};
 }
 
+/// The rows of a table, as phrame frames writes it. Throws InputError.
+std::vector<std::vector<Rational>> read_table(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::string head = fmt::format("{}", fmt::join(certified_columns(), ","));
+  if (line != head) throw InputError("line 1", "it is not " + head);
+  static const std::regex number("-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]{1,3})?");
+  std::vector<std::vector<Rational>> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = split({line});
+    const auto is_number = [&](const std::string& cell) {
+      return cell.size() <= 400 && std::regex_match(cell, number);
+    };
+    if (cells.size() != certified_columns().size() || !std::ranges::all_of(cells, is_number))
+      throw InputError(fmt::format("line {}", rows.size() + 2),
+                       fmt::format("{} decimal numbers are wanted", certified_columns().size()));
+    rows.emplace_back();
+    for (const std::string& cell : cells) rows.back().push_back(parse_rational(cell));
+  }
+  return rows;
+}
+
 void run(const VerifyOptions& options) {
   CertificateLimits limits = options.limits;
   limits.is_limited = !options.is_unlimited;
@@ -50,6 +77,13 @@ void run(const VerifyOptions& options) {
   std::vector<Statement> statements;
   if (options.curve) statements.push_back(check_curve(certificate, *options.curve, limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
+  if (options.table) {
+    const std::string rows = read_file(*options.table);
+    const std::string file = name_of_file(*options.table);
+    statements.push_back({"table " + file, objection_to_table(certificate, at_place(file, ":", [&] {
+                                                                return read_table(rows);
+                                                              }))});
+  }
   constexpr std::size_t longest_name = 200;
   options.length.write(
       options.output,
@@ -69,6 +103,9 @@ void add_verify(Program& program) {
   const auto options = std::make_shared<VerifyOptions>();
   command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
   command.add_option("--curve", "FILE", options->curve, "the curve that it must be of");
+  command.add_option("--table", "FILE", options->table,
+                     "frames, as phrame frames writes them, at the t of the certificate: is each\n"
+                     "number the double next to the exact one?");
   command.add_output(options->output);
   command.writes("text", {"txt"});
   add_max_degree(command, options->limits.curve);
@@ -80,7 +117,8 @@ void add_verify(Program& program) {
       "was found. Exit status 0: all are proved, 1: not all.\n"
       "Examples:\n"
       "  phrame verify angle.cert\n"
-      "  phrame verify angle.cert --curve curve.json");
+      "  phrame verify angle.cert --curve curve.json\n"
+      "  phrame verify angle.cert --table frames.csv");
   command.does(options, run);
 }
 

@@ -138,7 +138,7 @@ def with_each_text(original):
 
 
 def by_script(paths):
-    options = argparse.Namespace(quiet=False, curve=None, max_degree=checker.MAX_DEGREE, unlimited=False, files=[])
+    options = argparse.Namespace(quiet=False, curve=None, table=None, max_degree=checker.MAX_DEGREE, unlimited=False, files=[])
     found = []
     for path in paths:
         out = io.StringIO()

@@ -134,6 +134,7 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--pick", "left"},
                                                 {"--nearest", "1,2,3"},
                                                 {"--group", "splines"},
+                                                {"--table", "frames.csv"},
                                                 {"--export", "collection"},
                                                 {"--curve", "quintic.json"}};
 

@@ -1,0 +1,77 @@
+// The law of the page wants f₂ = cos(θ + φ)e₂ + sin(θ + φ)e₃ for all θ within the radius of a
+// claim. There |f₂ − exact| is at most √2·√2·(radius + rounding) in each component, as it is
+// computed there, which is less than 3 radius + 10⁻⁹⁰⁰.
+#include "phrame/ph/proof/check_table.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/frame/path_frame.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+bool is_next_double(const Rational& entry, const Real& exact, const Rational& slack) {
+  const double given = round_to_double(Real(entry));
+  if (slack == 0) return given == round_to_double(exact);
+  const RealBall around(slack, 64);
+  for (long bits = 128; bits <= 4096; bits *= 2) {
+    const RealBall ball = widened(exact.enclose(bits), around);
+    if (const auto found = common_double(ball)) return given == *found;
+  }
+  return false;
+}
+
+bool is_negative_at_start(const Polynomial& f) {
+  for (long k = 0; k <= f.degree(); ++k)
+    if (f.coefficient(k) != 0) return f.coefficient(k) < 0;
+  return false;
+}
+
+}  // namespace
+
+const std::vector<std::string>& certified_columns() {
+  static const std::vector<std::string> names{"t",   "x",   "y",   "z",   "e1x", "e1y", "e1z",
+                                              "f2x", "f2y", "f2z", "f3x", "f3y", "f3z"};
+  return names;
+}
+
+std::string objection_to_table(const Certificate& c,
+                               const std::vector<std::vector<Rational>>& rows) {
+  if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
+  if (rows.size() != c.claims.size())
+    return fmt::format("it has {} rows, and there are {} angles", rows.size(), c.claims.size());
+  if (is_negative_at_start(c.curve.multiplier())) return "the multiplier is negative at the start";
+  const Path path(c.curve);
+  const PathAngle angle(path);
+  const Vector<Real> first = tangent(path, {0, Rational(0)});
+  if (first[0].exact() == Rational(-1)) return "the tangent at the start is -x";
+  const StartAngle start = start_angle(LeastRotation(), angle);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const AngleClaim& claim = c.claims[k];
+    const Place at{0, claim.t};
+    const bool is_exact = claim.t == 0 || c.rate.numerator.is_zero();
+    if (!is_exact && parse_rational(claim.radius) >= 1)
+      return fmt::format("the angle is known to {} only", claim.radius);
+    const Rational slack =
+        is_exact ? Rational(0) : 3 * parse_rational(claim.radius) + power_of_ten(-900);
+    const Frame<Real> frame = rotation_minimizing_frame(angle, at, start);
+    const Frame<Real> reference = euler_rodrigues_frame(path, at);
+    const Vector<Real> r = position(path, at);
+    const Vector<Real>* vectors[]{&r, &frame.e1, &frame.e2, &frame.e3};
+    for (std::size_t i = 0; i < certified_columns().size(); ++i) {
+      const std::size_t axis = (i + 2) % 3;
+      const Real exact = i == 0 ? Real(claim.t) : (*vectors[(i - 1) / 3])[axis];
+      const bool needs_angle = i >= 7 && !(reference.e2[axis].exact() == Rational(0) &&
+                                           reference.e3[axis].exact() == Rational(0));
+      if (!is_next_double(rows[k][i], exact, needs_angle ? slack : Rational(0)))
+        return fmt::format("row {}, {} is not proved to be the double next to the exact number",
+                           k + 1, certified_columns()[i]);
+    }
+  }
+  return "";
+}
+
+}  // namespace phrame

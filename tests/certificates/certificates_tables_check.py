@@ -1,0 +1,73 @@
+"""Tables of frames under a certificate (--table): those of the program are proved by both checkers; where one number of a table is the
+next double, or a row is another, neither proves it, and both say the same.
+"""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from types import SimpleNamespace
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import check_certificate as checker
+
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+EVERY = 1 if int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1 else 3
+LIMITS = SimpleNamespace(max_degree=1001, unlimited=False)
+
+
+def phrame(*arguments, may_fail=False):
+    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    if run.returncode > (1 if may_fail else 0):
+        sys.exit("phrame %s: %s" % (" ".join(map(str, arguments)), run.stderr))
+    return run.stdout
+
+
+def verdicts(certificate, table, text):
+    """Of the table, by each checker: None where it is proved, or why not."""
+    table.write_text(text)
+    proof = checker.Proof(checker.read_certificate(certificate.read_bytes(), LIMITS))
+    proof.run()
+    proof.state("table", proof.table, (), checker.read_table(str(table)))
+    mine = None if proof.lines[-1][0] else proof.lines[-1][1].split(": ", 1)[1]
+    (line,) = [x for x in phrame("verify", certificate, "--table", table, may_fail=True).splitlines() if " table %s" % table in x]
+    return mine, None if line.startswith("proved") else line.split(": ", 1)[1]
+
+
+def main():
+    tried = 0
+    with tempfile.TemporaryDirectory() as folder:
+        certificate, table, curve = (Path(folder) / name for name in ("angle.cert", "frames.csv", "curve.json"))
+        for name in ("tame-01", "hard-rounding-01", "turning-multiplier-05", "plane-offsets-02"):
+            phrame("reference", name, "-o", curve)
+            phrame("certify", curve, "--at", "0,1/7,1/2,1", "--digits", "40", "-o", certificate)
+            text = phrame("frames", curve, "--at", "0,1/7,1/2,1")
+            if verdicts(certificate, table, text) != (None, None):
+                sys.exit("%s: the program's own table: %s" % (name, verdicts(certificate, table, text)))
+            head, *rows = text.splitlines()
+            forged = ["\n".join([head, *rows[:-1]]), "\n".join([head, rows[0], rows[2], rows[1], rows[3]])]
+            for k, row in enumerate(rows):
+                cells = row.split(",")
+                for i in range((k + len(name)) % EVERY, len(cells), EVERY):
+                    x = float(cells[i])
+                    other = repr(math.nextafter(x, math.inf if (i + k) % 2 else -math.inf))
+                    changed = ",".join([*cells[:i], other, *cells[i + 1:]])
+                    forged.append("\n".join([head, *rows[:k], changed, *rows[k + 1:]]))
+            for lie in forged:
+                said = verdicts(certificate, table, lie + "\n")
+                tried += 1
+                if said[0] is None or said[0] != said[1]:
+                    sys.exit("%s: %s of a table that is wrong:\n%s" % (name, said, lie))
+            # With few digits the angle does not tell the double, and both say so.
+            phrame("certify", curve, "--at", "0,1/7,1/2,1", "--digits", "12", "-o", certificate)
+            said = verdicts(certificate, table, text)
+            if said[0] != said[1] or (name == "tame-01") and said[0] is None:
+                sys.exit("%s, 12 digits: %s" % (name, said))
+    print("%d forged tables" % tried)
+
+
+if __name__ == "__main__":
+    main()
