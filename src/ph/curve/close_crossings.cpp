@@ -71,6 +71,7 @@ class CloseSearch {
   /// Are they apart, seen along a normal of a?
   static bool are_apart(const CloseArc& a, const CloseArc& b) {
     const long bits = std::max(a.bits, b.bits);
+    if (!a.velocity[0].is_finite() || !a.velocity[1].is_finite()) return false;
     const PlaneBall along{midpoint_of(a.velocity[0]), midpoint_of(a.velocity[1])};
     const PlaneBall gap{subtract(a.middle[0], b.middle[0], bits),
                         subtract(a.middle[1], b.middle[1], bits)};

@@ -86,6 +86,7 @@ class CrossingSearch {
     CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
     CurveTree& tree = &longer == &a ? first_ : second_;
     if (is_too_short(longer)) return leave_undecided(a, b);
+    if (!are_neighbours && (is_idle_beside(a, b) || is_idle_beside(b, a))) return true;
     tree.split(longer);
     const auto with_half = [&](CurveNode& half) {
       return &longer == &a ? visit_pair(half, b) : visit_pair(a, half);
@@ -109,11 +110,23 @@ class CrossingSearch {
     if (!node.is_idle) node.is_idle = query_.is_idle(node);
     return *node.is_idle;
   }
+  /// Looked at again after three halvings.
+  bool is_idle_beside(CurveNode& node, const CurveNode& other) const {
+    if (!query_.is_idle_beside || !node.is_arc() || !other.is_arc()) return false;
+    const int depth = -std::ilogb(node.upper - node.lower);
+    if (depth < 5 || depth % 3 != 2) return false;
+    const bool is_idle = query_.is_idle_beside(node, other);
+    if (is_idle) node.is_idle = true;
+    return is_idle;
+  }
   bool is_known(const CurveNode& a, const CurveNode& b) const;
   bool leave_undecided(const CurveNode& a, const CurveNode& b);
   bool add_undecided(const CurveNode& a, const CurveNode& b);
   bool is_left() { return ++pairs_ <= most_pairs_; }
-  static double size_of(const CurveNode& node) {
+  /// In the plane that of the box: neighbouring segments may have quite different speeds.
+  double size_of(const CurveNode& node) const {
+    if (is_plane_)
+      return std::max(node.box[0].upper - node.box[0].lower, node.box[1].upper - node.box[1].lower);
     return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
   }
   bool is_too_short(const CurveNode& node) const {

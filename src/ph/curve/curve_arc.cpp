@@ -85,6 +85,13 @@ bool are_apart(const PlaneBox& a, const PlaneBox& b) {
   return false;
 }
 
+PlaneBox common_of(const PlaneBox& a, const PlaneBox& b) {
+  PlaneBox common;
+  for (std::size_t k = 0; k < 2; ++k)
+    common[k] = {std::max(a[k].lower, b[k].lower), std::min(a[k].upper, b[k].upper)};
+  return common;
+}
+
 PlaneBox hull_of(const PlaneBox& a, const PlaneBox& b) {
   PlaneBox hull;
   for (std::size_t k = 0; k < 2; ++k)
@@ -190,9 +197,22 @@ void CurveTree::add_turning(CurveNode& arc, const RealBall& all, const RealBall&
         changed(turning.first_turn, count_between(turning.inflections, 0, arc.lower, false, true));
 }
 
+std::unique_ptr<CurveNode> CurveTree::make_segment(std::size_t segment) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  PlaneBox around{DoubleInterval{-infinity, infinity}, DoubleInterval{-infinity, infinity}};
+  if (!curve_.boxes.empty()) {
+    Vector<BallPolynomial> box;
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = BallPolynomial(std::vector{curve_.boxes[segment][k]});
+    const PlaneSeries plane = projected(box, arc_bits);
+    for (std::size_t k = 0; k < 2; ++k) around[k] = interval_of(plane[k].coefficient(0));
+  }
+  return make_arc(segment, 0, 1, around);
+}
+
 // Taylor's polynomials around the middle, whose last coefficient is that of the whole arc.
-std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower,
-                                               double upper) const {
+std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower, double upper,
+                                               const PlaneBox& around) const {
   auto node = std::make_unique<CurveNode>();
   node->first_segment = node->last_segment = segment;
   node->lower = lower;
@@ -209,12 +229,13 @@ std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower
     node->velocity[k] = interval_of(add(slope, bend, arc_bits));
     node->middle[k] = interval_of(there[k].coefficient(0));
   }
+  node->box = common_of(node->box, around);
   add_turning(*node, all, middle);
   return node;
 }
 
 std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t last) const {
-  if (first == last) return make_arc(first, 0, 1);
+  if (first == last) return make_segment(first);
   auto node = std::make_unique<CurveNode>();
   node->first_segment = first;
   node->last_segment = last;
@@ -237,8 +258,8 @@ std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t 
 void CurveTree::split(CurveNode& node) {
   if (node.halves[0]) return;
   const double cut = node.lower + (node.upper - node.lower) * 0.4837;
-  node.halves = {make_arc(node.first_segment, node.lower, cut),
-                 make_arc(node.first_segment, cut, node.upper)};
+  node.halves = {make_arc(node.first_segment, node.lower, cut, node.box),
+                 make_arc(node.first_segment, cut, node.upper, node.box)};
 }
 
 /// Does b begin where a ends? 1 of a segment is 0 of the one behind it.

@@ -19,6 +19,8 @@ using PlaneSeries = std::array<BallPolynomial, 2>;
 
 /// Have the boxes no point in common?
 bool are_apart(const PlaneBox& a, const PlaneBox& b);
+/// What both have in common, where that is not nothing.
+PlaneBox common_of(const PlaneBox& a, const PlaneBox& b);
 /// The least box around both.
 PlaneBox hull_of(const PlaneBox& a, const PlaneBox& b);
 /// Are all vectors of the box in an open half-plane?
@@ -80,7 +82,9 @@ class CurveTree {
   }
 
  private:
-  std::unique_ptr<CurveNode> make_arc(std::size_t segment, double lower, double upper) const;
+  std::unique_ptr<CurveNode> make_segment(std::size_t segment) const;
+  std::unique_ptr<CurveNode> make_arc(std::size_t segment, double lower, double upper,
+                                      const PlaneBox& around) const;
   std::unique_ptr<CurveNode> make_group(std::size_t first, std::size_t last) const;
   void add_turning(CurveNode& arc, const RealBall& all, const RealBall& middle) const;
   PlaneSeries projected(const Vector<BallPolynomial>& r, long bits) const;

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/curve_series.hpp"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -61,6 +63,36 @@ Vector<BallPolynomial> series_around(const ExpressionCurve& curve, const RealBal
   return curve.series(t, 1, length, bits);
 }
 
+/// A function of a segment, whose copies share all of them.
+template <class T, class F>
+CurveSeries::Series series_of_each(std::vector<T> segments, F series) {
+  return [shared = std::make_shared<const std::vector<T>>(std::move(segments)), series](
+             std::size_t segment, const RealBall& t, long length, long bits) {
+    return series((*shared)[segment], t, length, bits);
+  };
+}
+
+/// Around the control points, where all weights are positive; else around nothing that is finite.
+Vector<RealBall> box_around(const RationalCurve& curve) {
+  constexpr long bits = 64;
+  long degree = curve.weight().degree();
+  for (const Polynomial& x : curve.numerator()) degree = std::max(degree, x.degree());
+  const auto coefficients = [&](const Polynomial& p) {
+    return to_bernstein(BallPolynomial(p, bits), degree, bits);
+  };
+  const std::vector<RealBall> weights = coefficients(curve.weight());
+  const bool is_inside =
+      std::ranges::all_of(weights, [](const RealBall& w) { return sign(w) > 0; });
+  Vector<RealBall> box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::vector<RealBall> x = coefficients(curve.numerator()[k]);
+    box[k] = divide(x[0], is_inside ? weights[0] : RealBall(), bits);
+    for (std::size_t j = 1; j < x.size(); ++j)
+      box[k] = hull(box[k], divide(x[j], weights[j], bits), bits);
+  }
+  return box;
+}
+
 /// Where a polynomial that is not 0 changes its sign in (0, 1).
 std::vector<RealAlgebraic> sign_changes(const Polynomial& p) {
   std::vector<RealAlgebraic> places;
@@ -97,11 +129,12 @@ CurveSeries series_of(const Path& path) {
     segments.push_back(visit_curve([](const auto& c) { return segment_of(c); }, curve));
   CurveSeries series;
   series.segments = segments.size();
-  series.position = [segments = std::move(segments)](std::size_t segment, const RealBall& t,
-                                                     long length, long bits) {
-    return std::visit([&](const auto& curve) { return series_around(curve, t, length, bits); },
-                      segments[segment]);
-  };
+  series.position = series_of_each(
+      std::move(segments),
+      [](const SegmentSeries& segment, const RealBall& t, long length, long bits) {
+        return std::visit([&](const auto& curve) { return series_around(curve, t, length, bits); },
+                          segment);
+      });
   for (std::size_t k = 0; k < series.segments; ++k) {
     const Segment& segment = path.segments()[k];
     if (!goes_through_cusps(segment)) continue;
@@ -134,19 +167,19 @@ CurveSeries plane_series(const std::vector<RationalCurve>& segments,
   for (const RationalCurve& curve : segments) {
     positions.emplace_back(curve);
     directions.push_back(curve.direction());
+    series.boxes.push_back(box_around(curve));
     series.turning.push_back(turning_of(curve));
   }
-  series.position = [positions = std::move(positions)](std::size_t segment, const RealBall& t,
-                                                       long length, long bits) {
-    return series_around(positions[segment], t, length, bits);
-  };
-  series.direction = [directions = std::move(directions)](std::size_t segment, const RealBall& t,
-                                                          long length, long bits) {
-    Vector<BallPolynomial> h;
-    for (std::size_t k = 0; k < 3; ++k)
-      h[k] = taylor_series(directions[segment][k], t, length, bits);
-    return h;
-  };
+  series.position = series_of_each(std::move(positions),
+                                   [](const CurveFromStart& curve, const RealBall& t, long length,
+                                      long bits) { return series_around(curve, t, length, bits); });
+  series.direction = series_of_each(
+      std::move(directions),
+      [](const Vector<Polynomial>& direction, const RealBall& t, long length, long bits) {
+        Vector<BallPolynomial> h;
+        for (std::size_t k = 0; k < 3; ++k) h[k] = taylor_series(direction[k], t, length, bits);
+        return h;
+      });
   return series;
 }
 

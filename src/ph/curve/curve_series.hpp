@@ -25,7 +25,8 @@ struct CurveSeries {
   using Series = std::function<Vector<BallPolynomial>(std::size_t segment, const RealBall& t,
                                                       long length, long bits)>;
   std::size_t segments = 0;  ///< at least one
-  /// r of a segment around t, as balls: where t is one, of all series around its points.
+  /// r of a segment around t, as balls: where t is one, of all series around its points. Copies
+  /// share what it is made from.
   Series position;
   Series direction = {};                     ///< H likewise, where the turning is known
   std::vector<SegmentTurning> turning = {};  ///< of the segments, or empty
@@ -34,6 +35,8 @@ struct CurveSeries {
   std::vector<std::size_t> behind = {};
   /// Of a path: the segments with cusps in which it does not turn back, with H there, along r′.
   std::map<std::size_t, Vector<Polynomial>> through_cusps = {};
+  /// A box around each segment, whose balls need not be finite; or empty.
+  std::vector<Vector<RealBall>> boxes = {};
 };
 inline constexpr std::size_t no_segment = static_cast<std::size_t>(-1);  ///< behind an open end
 

@@ -24,6 +24,8 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/path_distance.hpp"
+#include "phrame/ph/offset/shadow.hpp"
+#include "phrame/ph/offset/turning_parts.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -44,7 +46,12 @@ void require_no_turning_back(const PhPath& path) {
 struct Stroke {
   OffsetBranches branches;                               ///< first those of the offset itself
   std::vector<std::optional<Vector<Rational>>> centers;  ///< of the arcs
+  std::vector<Vector<Polynomial>> bases;  ///< what they are at the distance |d| from, at the same t
 };
+
+Vector<Polynomial> constant(const Vector<Rational>& at) {
+  return {Polynomial{at[0]}, Polynomial{at[1]}, Polynomial{at[2]}};
+}
 
 class StrokeMaker {
  public:
@@ -77,8 +84,9 @@ class StrokeMaker {
       const std::size_t behind = more.behind[k];
       stroke_.branches.behind.push_back(behind == no_segment ? no_segment : first + behind);
       const OffsetPiece& piece = offset.pieces[k];
-      stroke_.centers.push_back(
-          piece.is_join ? std::optional(path.segments()[piece.segment].start()) : std::nullopt);
+      const Curve& base = path.segments()[piece.segment];
+      stroke_.centers.push_back(piece.is_join ? std::optional(base.start()) : std::nullopt);
+      stroke_.bases.push_back(piece.is_join ? constant(base.start()) : position(base));
     }
     if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }
@@ -88,6 +96,7 @@ class StrokeMaker {
       stroke_.branches.curves.push_back(std::move(curve));
       stroke_.branches.behind.push_back(stroke_.branches.curves.size());
       stroke_.centers.emplace_back(at);
+      stroke_.bases.push_back(constant(at));
     }
   }
 
@@ -306,6 +315,13 @@ class Trimmer {
       if (direction != 0 && direction == parallels_[b.first_segment]) return true;
       return coincident_.contains({a.first_segment, b.first_segment});
     };
+    query.is_idle_beside = [&](const CurveNode& a, const CurveNode& b) {
+      const Interval part = interval_of(part_of(a));
+      const Interval beside = interval_of(part_of(b));
+      return is_nearer_along(stroke_.branches.curves[a.first_segment], *part.lower, *part.upper,
+                             stroke_.bases[b.first_segment], (*beside.lower + *beside.upper) / 2,
+                             result_.offset.distance);
+    };
     const SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
     if (found.is_cut_off)
       throw Undecided("trimmed_offset: too many branches of the offset touch each other");
@@ -331,6 +347,10 @@ class Trimmer {
     if (!found) return add_fuzzy(part, place);
     for (const RealAlgebraic& t : *found)
       add_event(part.segment, to_real(t), found->size() == 1 ? place : classes_.add());
+  }
+
+  static CurvePart part_of(const CurveNode& arc) {
+    return {arc.first_segment, arc.lower, arc.upper};
   }
 
   /// The tree looks along z, from where x is the second axis and −y the first one.
@@ -377,10 +397,11 @@ class Trimmer {
     return found;
   }
 
-  bool is_left(std::size_t piece, const Rational& t) const {
+  /// A point of the path that is nearer than |d|.
+  std::optional<Vector<Rational>> nearer_point(std::size_t piece, const Rational& t) const {
     const OffsetPiece& of = result_.offset.pieces[piece];
     const Vector<Rational> at = point(of.curve, t);
-    return !(of.is_join ? distance_.is_nearer(at) : distance_.is_nearer(at, of.segment, t));
+    return of.is_join ? distance_.nearer_point(at) : distance_.nearer_point(at, of.segment, t);
   }
 
   void add_edges(std::size_t piece) {
@@ -388,7 +409,7 @@ class Trimmer {
     std::vector<bool> left;
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Rational quarter = (places[k + 1].lower - places[k].upper) / 4;
-      left.push_back(is_left(
+      left.push_back(!nearer_point(
           piece, simplest_between(places[k].upper + quarter, places[k + 1].lower - quarter)));
     }
     std::optional<std::size_t> from;
@@ -418,17 +439,15 @@ class Trimmer {
       return !x.is_fuzzy && x.t.exact() && x.t.exact() == events.front().t.exact();
     });
     if (!cluster.is_fuzzy() && (is_left || is_one || events.size() == 1)) return;
-    const RealBall t = hull(cluster.lower, cluster.upper, place_bits);
-    if (!is_left && is_covered(piece, t)) return;
-    result_.undecided.push_back({piece, t});
+    if (!is_left && is_covered(piece, cluster)) return;
+    result_.undecided.push_back({piece, hull(cluster.lower, cluster.upper, place_bits)});
   }
 
-  bool is_covered(std::size_t piece, const RealBall& t) const {
-    const Vector<BallPolynomial> r = series_->position(piece, t, 1, 128);
-    const auto interval = [](const RealBall& x) {
-      return DoubleInterval{-upper_double(subtract({}, x, 64)), upper_double(x)};
-    };
-    return distance_.covers({interval(r[0].coefficient(0)), interval(r[1].coefficient(0))});
+  /// Is all of it seen to be nearer than |d| to one point of the path?
+  bool is_covered(std::size_t piece, const Cluster& cluster) const {
+    const auto at = nearer_point(piece, (cluster.lower + cluster.upper) / 2);
+    return at && is_nearer_along(stroke_.branches.curves[piece], cluster.lower, cluster.upper,
+                                 constant(*at), 0, result_.offset.distance);
   }
 
   /// Each edge is in one branch; those that begin where no other one ends are first.
@@ -488,6 +507,68 @@ class Trimmer {
   std::vector<Edge> edges_;
 };
 
+/// Of the offset of a path in parts, as that of the path: what goes on through a cut is one part.
+class Reunion {
+ public:
+  Reunion(const TrimmedOffset& found, const std::vector<SegmentPart>& parts, Offset whole)
+      : found_(found), result_{std::move(whole), {}, {}} {
+    std::size_t piece = 0;
+    for (const OffsetPiece& x : found.offset.pieces) {
+      if (x.is_join) {
+        origins_.push_back({piece++, 0, 1});
+        continue;
+      }
+      const SegmentPart& part = parts[x.segment];
+      origins_.push_back({piece, part.lower, part.upper});
+      if (part.upper == 1) ++piece;
+    }
+  }
+
+  TrimmedOffset make() {
+    for (const TrimmedBranch& branch : found_.branches) result_.branches.push_back(whole(branch));
+    for (const UndecidedStretch& x : found_.undecided) {
+      const SegmentPart& of = origins_[x.piece];
+      constexpr long bits = 320;
+      result_.undecided.push_back(
+          {of.segment, add(RealBall(of.lower, bits),
+                           multiply(RealBall(of.upper - of.lower, bits), x.t, bits), bits)});
+    }
+    return std::move(result_);
+  }
+
+ private:
+  OffsetPart whole(const OffsetPart& part) const {
+    const auto& [piece, lower, upper] = origins_[part.piece];
+    const auto along = [&](const Real& t) { return Real(lower) + Real(upper - lower) * t; };
+    if (lower == 0 && upper == 1) return {piece, part.from, part.to};
+    return {piece, cached(along(part.from)), cached(along(part.to))};
+  }
+
+  static bool goes_on(const OffsetPart& a, const OffsetPart& b) {
+    return a.piece == b.piece && a.to.exact() && a.to.exact() == b.from.exact();
+  }
+
+  TrimmedBranch whole(const TrimmedBranch& branch) const {
+    TrimmedBranch made{{}, branch.is_closed};
+    for (const OffsetPart& fine : branch.parts) {
+      OffsetPart part = whole(fine);
+      if (made.parts.empty() || !goes_on(made.parts.back(), part))
+        made.parts.push_back(std::move(part));
+      else
+        made.parts.back().to = std::move(part.to);
+    }
+    if (made.is_closed && made.parts.size() > 1 && goes_on(made.parts.back(), made.parts.front())) {
+      made.parts.front().from = made.parts.back().from;
+      made.parts.pop_back();
+    }
+    return made;
+  }
+
+  const TrimmedOffset& found_;
+  TrimmedOffset result_;
+  std::vector<SegmentPart> origins_;  ///< what the pieces are of those of the whole offset
+};
+
 /// Without the joins.
 std::vector<TrimmedBranch> opened(const TrimmedOffset& trimmed) {
   std::vector<TrimmedBranch> found;
@@ -515,9 +596,12 @@ TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin j
   if (join == OffsetJoin::mitre)
     throw DomainError("trimmed_offset: what is trimmed is joined by arcs or left open, not mitred");
   require_no_turning_back(path);
-  TrimmedOffset found = Trimmer(path, d).make();
-  if (join == OffsetJoin::open) found.branches = opened(found);
-  return found;
+  Offset whole = phrame::offset(path, d);
+  const PathInParts fine = in_turning_parts(path);
+  const TrimmedOffset found = Trimmer(fine.path, d).make();
+  TrimmedOffset result = Reunion(found, fine.parts, std::move(whole)).make();
+  if (join == OffsetJoin::open) result.branches = opened(result);
+  return result;
 }
 
 }  // namespace phrame

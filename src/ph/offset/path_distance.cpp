@@ -5,6 +5,7 @@
 #include "phrame/ph/offset/path_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "phrame/algebra/ball_order.hpp"
@@ -14,34 +15,58 @@
 namespace phrame::inline v0 {
 namespace {
 
-enum class Sign { never_negative, negative, unknown };
+/// Where a polynomial is negative.
+struct NegativePlace {
+  std::optional<Rational> at;  ///< on [0, 1], where one was found
+  bool is_decided = true;      ///< else, is there none?
+};
 
-/// Of a polynomial with these Bernstein coefficients.
-Sign sign_of(const std::vector<RealBall>& coefficients, int depth) {
+/// Of one with these Bernstein coefficients on [lower, upper].
+NegativePlace negative_place(const std::vector<RealBall>& coefficients, const Rational& lower,
+                             const Rational& upper, int depth) {
   constexpr long bits = 128;
-  if (sign(coefficients.front()) < 0 || sign(coefficients.back()) < 0) return Sign::negative;
-  if (std::ranges::all_of(coefficients, [](const RealBall& c) { return sign(c) > 0; }))
-    return Sign::never_negative;
-  if (depth == 0) return Sign::unknown;
+  if (sign(coefficients.front()) < 0) return {lower};
+  if (sign(coefficients.back()) < 0) return {upper};
+  if (std::ranges::all_of(coefficients, [](const RealBall& c) { return sign(c) > 0; })) return {};
+  if (depth == 0) return {std::nullopt, false};
   const auto [left, right] = split(coefficients, Rational(1, 2), bits);
-  const Sign one = sign_of(left, depth - 1);
-  if (one == Sign::negative) return one;
-  const Sign other = sign_of(right, depth - 1);
-  return other == Sign::never_negative ? one : other;
+  const Rational middle = (lower + upper) / 2;
+  const NegativePlace one = negative_place(left, lower, middle, depth - 1);
+  if (one.at) return one;
+  const NegativePlace other = negative_place(right, middle, upper, depth - 1);
+  return {other.at, one.is_decided && other.is_decided};
 }
 
-/// Is p < 0 anywhere on [0, 1]?
-bool is_negative_somewhere(Polynomial p) {
-  if (p.is_zero()) return false;
-  while (p(0) == 0) p = exact_quotient(p, Polynomial{0, 1});
-  while (p(1) == 0) p = exact_quotient(p, Polynomial{1, -1});
-  if (p(0) < 0 || p(1) < 0) return true;
+/// Where p < 0 between its roots in (0, 1), if anywhere.
+std::optional<Rational> negative_between(const std::vector<RealRoot>& roots, const Polynomial& p) {
+  if (std::ranges::none_of(roots, [](const RealRoot& root) { return root.order % 2 != 0; }))
+    return std::nullopt;
+  for (long bits = 64;; bits *= 2) {
+    std::vector<std::array<Rational, 2>> places{{0, 0}};
+    for (const RealRoot& root : roots) {
+      const RealBall at = enclose(root.at, bits);
+      places.push_back({at.lower(), at.upper()});
+    }
+    places.push_back({1, 1});
+    bool are_apart = true;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      are_apart = are_apart && places[k][1] < places[k + 1][0];
+      const Rational middle = (places[k][1] + places[k + 1][0]) / 2;
+      if (middle > 0 && middle < 1 && p(middle) < 0) return middle;
+    }
+    if (are_apart) return std::nullopt;
+  }
+}
+
+/// Where p < 0 on [0, 1], if anywhere.
+std::optional<Rational> negative_place(const Polynomial& p) {
+  if (p.is_zero()) return std::nullopt;
   constexpr long bits = 128;
   constexpr int depth = 10;
-  const Sign seen = sign_of(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), depth);
-  if (seen != Sign::unknown) return seen == Sign::negative;
-  return std::ranges::any_of(real_roots(p, open_interval(0, 1)),
-                             [](const RealRoot& root) { return root.order % 2 != 0; });
+  const NegativePlace seen =
+      negative_place(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), 0, 1, depth);
+  if (seen.at || seen.is_decided) return seen.at;
+  return negative_between(real_roots(p, open_interval(0, 1)), p);
 }
 
 double size_of(const PlaneBox& box) {
@@ -102,9 +127,35 @@ PathDistance::PathDistance(const PhPath& path, const Rational& d)
     size = std::max(size, size_of(part.box));
     parts_.push_back(std::move(part));
   }
+  boxes_.resize(4 * parts_.size());
+  add_boxes(1, 0, parts_.size());
   // A point and a corner of a box are off by 2⁻⁵⁰ of their sizes.
   error_ = 0x1p-46 * (size + reach_) * (size + reach_);
   certain_ = static_cast<double>(squared_) * (1 - 1e-9) - error_;
+}
+
+void PathDistance::add_boxes(std::size_t node, std::size_t first, std::size_t last) {
+  if (last - first == 1) {
+    boxes_[node] = parts_[first].box;
+    return;
+  }
+  const std::size_t middle = first + (last - first) / 2;
+  add_boxes(2 * node, first, middle);
+  add_boxes(2 * node + 1, middle, last);
+  boxes_[node] = hull_of(boxes_[2 * node], boxes_[2 * node + 1]);
+}
+
+/// Is any of the parts wanted that are within reach of the box, as far as their boxes tell?
+bool PathDistance::any_within(const PlaneBox& box, double reach,
+                              const std::function<bool(std::size_t part)>& is_wanted) const {
+  const auto visit = [&](const auto& self, std::size_t node, std::size_t first,
+                         std::size_t last) -> bool {
+    if (is_beyond(boxes_[node], box, reach)) return false;
+    if (last - first == 1) return is_wanted(first);
+    const std::size_t middle = first + (last - first) / 2;
+    return self(self, 2 * node, first, middle) || self(self, 2 * node + 1, middle, last);
+  };
+  return visit(visit, 1, 0, parts_.size());
 }
 
 bool PathDistance::covers(const PlaneBox& box) const {
@@ -112,37 +163,41 @@ bool PathDistance::covers(const PlaneBox& box) const {
   const auto farthest = [](const DoubleInterval& x, double at) {
     return std::max(std::abs(x.lower - at), std::abs(x.upper - at));
   };
-  for (const Part& part : parts_) {
-    if (is_beyond(part.box, box, reach_)) continue;
-    for (const auto& [x, y] : part.points) {
-      const double dx = farthest(box[0], x);
-      const double dy = farthest(box[1], y);
-      if (dx * dx + dy * dy < limit) return true;
-    }
-  }
-  return false;
+  return any_within(box, reach_, [&](std::size_t part) {
+    return std::ranges::any_of(parts_[part].points, [&](const std::array<double, 2>& point) {
+      const double dx = farthest(box[0], point[0]);
+      const double dy = farthest(box[1], point[1]);
+      return dx * dx + dy * dy < limit;
+    });
+  });
 }
 
-bool PathDistance::is_nearer(const Vector<Rational>& at, const Part& part,
-                             const Polynomial& known) const {
+/// `known` is a factor of what tells of that segment.
+std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at,
+                                                           std::size_t segment,
+                                                           const Polynomial& known) const {
   const PlaneBox box{around(at[0]), around(at[1])};
-  if (is_beyond(part.box, box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box))) return false;
-  const Polynomial x = part.x - Polynomial{at[0]};
-  const Polynomial y = part.y - Polynomial{at[1]};
-  return is_negative_somewhere(exact_quotient(x * x + y * y - Polynomial{squared_}, known));
+  std::optional<Vector<Rational>> found;
+  any_within(box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box), [&](std::size_t k) {
+    const Polynomial x = parts_[k].x - Polynomial{at[0]};
+    const Polynomial y = parts_[k].y - Polynomial{at[1]};
+    Polynomial gap = x * x + y * y - Polynomial{squared_};
+    if (k == segment) gap = exact_quotient(gap, known);
+    if (const auto t = negative_place(gap))
+      found = Vector<Rational>{parts_[k].x(*t), parts_[k].y(*t), at[2]};
+    return found.has_value();
+  });
+  return found;
 }
 
-bool PathDistance::is_nearer(const Vector<Rational>& at) const {
-  return std::ranges::any_of(parts_,
-                             [&](const Part& part) { return is_nearer(at, part, Polynomial{1}); });
+std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at) const {
+  return nearer_point(at, parts_.size(), Polynomial{1});
 }
 
-bool PathDistance::is_nearer(const Vector<Rational>& at, std::size_t segment,
-                             const Rational& t) const {
-  const Polynomial known = Polynomial{-t, 1} * Polynomial{-t, 1};
-  for (std::size_t k = 0; k < parts_.size(); ++k)
-    if (is_nearer(at, parts_[k], k == segment ? known : Polynomial{1})) return true;
-  return false;
+std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at,
+                                                           std::size_t segment,
+                                                           const Rational& t) const {
+  return nearer_point(at, segment, Polynomial{-t, 1} * Polynomial{-t, 1});
 }
 
 }  // namespace phrame

@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "phrame/ph/curve/curve_arc.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 
@@ -10,11 +13,12 @@ class PathDistance {
   /// Precondition: the path is in such a plane, d ≠ 0.
   PathDistance(const PhPath& path, const Rational& d);
 
-  /// Is a point of the path nearer to this one than |d|? Decided exactly, at a distance of |d| to
-  /// some points, too.
-  bool is_nearer(const Vector<Rational>& at) const;
+  /// A point of the path that is nearer to this one than |d|, if there is any: decided exactly, at
+  /// a distance of |d| to some points, too.
+  std::optional<Vector<Rational>> nearer_point(const Vector<Rational>& at) const;
   /// The same, where it is known that segment is at the distance |d| at t, along the normal there.
-  bool is_nearer(const Vector<Rational>& at, std::size_t segment, const Rational& t) const;
+  std::optional<Vector<Rational>> nearer_point(const Vector<Rational>& at, std::size_t segment,
+                                               const Rational& t) const;
   /// Is one point of the path seen to be nearer than |d| to all points of the box? Doubles, with
   /// their errors, decide that; false says nothing.
   bool covers(const PlaneBox& box) const;
@@ -27,13 +31,18 @@ class PathDistance {
     PlaneBox box;                               ///< all of it
   };
 
-  bool is_nearer(const Vector<Rational>& at, const Part& part, const Polynomial& known) const;
+  void add_boxes(std::size_t node, std::size_t first, std::size_t last);
+  bool any_within(const PlaneBox& box, double reach,
+                  const std::function<bool(std::size_t part)>& is_wanted) const;
+  std::optional<Vector<Rational>> nearer_point(const Vector<Rational>& at, std::size_t segment,
+                                               const Polynomial& known) const;
 
   Rational squared_;  ///< d²
   double reach_;      ///< a little more than |d|
   double certain_;    ///< a little less than d²
   double error_;      ///< of the square of a distance, by rounding
   std::vector<Part> parts_;
+  std::vector<PlaneBox> boxes_;  ///< of all parts, of each half of them, and so on, as in a heap
 };
 
 }  // namespace phrame

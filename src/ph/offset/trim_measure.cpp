@@ -8,6 +8,7 @@
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
+#include "phrame/ph/offset/turning_parts.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -18,30 +19,18 @@ class DirectionAngle {
   explicit DirectionAngle(const RationalCurve& curve)
       : x_(curve.direction()[0]), y_(curve.direction()[1]) {
     const Polynomial turn = x_ * differentiate(y_) - y_ * differentiate(x_);
-    is_straight_ = turn.is_zero();
-    if (!is_straight_) add_knots({turn, x_ * x_ + y_ * y_}, 0, 1);
+    if (!turn.is_zero()) knots_ = turning_cuts(turn, x_ * x_ + y_ * y_);
   }
 
   /// φ(to) − φ(from).
   Real between(const Real& from, const Real& to) const {
-    if (is_straight_) return Rational(0);
+    if (knots_.empty()) return Rational(0);
     return cached(Real(Real::Enclosure([*this, from, to](long bits) {
       return subtract(from_start(to, bits + 16), from_start(from, bits + 16), bits);
     })));
   }
 
  private:
-  /// Between two of them it turns by less than π.
-  void add_knots(const RationalFunction& rate, const Rational& a, const Rational& b) {
-    constexpr long bits = 64;
-    const RealBall turn =
-        multiply(evaluate(rate, hull(a, b, bits), bits), RealBall(b - a, bits), bits);
-    if (turn.is_finite() && turn.upper() < 3 && turn.lower() > -3) return knots_.push_back(b);
-    const Rational middle = (a + b) / 2;
-    add_knots(rate, a, middle);
-    add_knots(rate, middle, b);
-  }
-
   RealBall turn(const RealBall& from, const RealBall& to, long bits) const {
     const auto at = [&](const RealBall& t) {
       return ComplexBall(evaluate(x_, t, bits), evaluate(y_, t, bits));
@@ -63,8 +52,7 @@ class DirectionAngle {
 
   Polynomial x_;
   Polynomial y_;
-  bool is_straight_ = false;
-  std::vector<Rational> knots_ = {};
+  std::vector<Rational> knots_ = {};  ///< between two of them it turns by less than π
 };
 
 struct PartMeasure {

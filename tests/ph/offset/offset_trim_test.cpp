@@ -83,12 +83,20 @@ Point at(const RationalCurve& curve, double t) {
 
 double approximate(const Real& x) { return phrame::approximate(x.enclose(64)); }
 
+/// One that does not turn back. Some nearly do: they turn within 10⁻³ to 10⁻⁷ of their parameter.
 Curve tame_curve(Random& random) {
   for (;;) {
     const auto p = [&] {
       return from_bernstein({random.integer(-6, 6), random.integer(-6, 6), random.integer(-6, 6)});
     };
-    Curve curve({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}});
+    Polynomial u = p();
+    Polynomial q = p() + Polynomial{0, Rational(1, 7)};
+    if (random.chance(4)) {
+      const Rational cusp(random.integer(1, 9), 10);
+      u = u - Polynomial{u(cusp)};
+      q = q - Polynomial{q(cusp) + power_of_ten(-random.integer(3, 7))};
+    }
+    Curve curve({u, {}, {}, q});
     if (odd_inside(cusps(curve)).empty()) return curve;
   }
 }
@@ -109,11 +117,25 @@ PhPath lines(std::vector<Vector<Rational>> points) {
   return path;
 }
 
-/// Of some curves with corners, closed by a half-turn or quarters where that is asked for.
+/// The curve with another w, that of `last` at its end, so that it goes on there without a corner.
+Curve smooth_behind(const Curve& last, const Curve& next) {
+  QuaternionPolynomial w = next.preimage();
+  const Polynomial start = pow(Polynomial{1, -1}, 2);
+  w.u += (last.preimage().u(1) - w.u(0)) * start;
+  w.q += (last.preimage().q(1) - w.q(0)) * start;
+  return Curve(w);
+}
+
+/// Of some curves, closed by a half-turn or quarters where that is asked for; about half of their
+/// joints are smooth.
 PhPath random_path(Random& random, long turns) {
   for (;;) try {
       std::vector<Curve> curves;
-      for (long k = random.integer(1, 3); k > 0; --k) curves.push_back(tame_curve(random));
+      for (long k = random.integer(1, 3); k > 0; --k) {
+        Curve next = tame_curve(random);
+        if (!curves.empty() && random.chance(2)) next = smooth_behind(curves.back(), next);
+        if (odd_inside(cusps(next)).empty()) curves.push_back(std::move(next));
+      }
       const std::size_t count = curves.size();
       const RationalQuaternion turn =
           turns == 4 ? RationalQuaternion{1, 0, 0, 1} : RationalQuaternion{0, 0, 0, 1};
@@ -158,7 +180,7 @@ void check_trimmed(const PhPath& path, const TrimmedOffset& found) {
       CAPTURE(t);
       CAPTURE(distance);
       if (is_left) CHECK(std::abs(distance - d) < 1e-8 * (1 + d));
-      if (!is_left && !is_near_cut) CHECK(distance < d * (1 - 1e-12));
+      if (!is_left && !is_near_cut) CHECK(distance < d * (1 - 1e-12) + 1e-14);
     }
 }
 
@@ -167,11 +189,11 @@ void check_trimmed(const PhPath& path, const TrimmedOffset& found) {
 TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing else is") {
   long branches = 0;
   long undecided = 0;
-  for_samples(12, [&](Random& random) {
+  for_samples(6, [&](Random& random) {
     const std::array<long, 3> turns{1, 2, 4};
     const PhPath path = random_path(random, turns[std::size_t(random.integer(0, 2))]);
-    const Rational d(random.integer(0, 1) == 0 ? random.integer(-40, -1) : random.integer(1, 40),
-                     random.integer(1, 9));
+    const Rational d = Rational(random.integer(0, 1) == 0 ? -1 : 1) *
+                       Rational(random.integer(1, 10)) * power_of_ten(random.integer(-2, 1));
     const TrimmedOffset found = trimmed_offset(path, d);
     CAPTURE(d);
     CAPTURE(path.segments().size());
@@ -179,7 +201,7 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
     branches += static_cast<long>(found.branches.size());
     undecided += static_cast<long>(found.undecided.size());
   });
-  CHECK(branches >= 20);
+  CHECK(branches >= 10);
   CHECK(undecided == 0);
 }
 
@@ -293,6 +315,22 @@ TEST_CASE("offset_trim: law: areas and lengths are those of polygons through poi
       if (size.area) CHECK(std::abs(approximate(*size.area) - area) < 1e-3 * (length * length));
     }
   });
+}
+
+TEST_CASE(
+    "offset_trim: next to a near-cusp, where branches are 10^-6 apart over all their length") {
+  // w = (t - 3/10)(2 + t) + e(t + 3)i turns by half a turn within e of its parameter. To the right
+  // of the bend both offsets go past each other, and to the left both are cut where they meet.
+  const Rational e = power_of_ten(-6);
+  const PhPath path(Curve({{Rational(-3, 5), Rational(17, 10), 1}, {}, {}, {3 * e, e}}));
+  for (const long d : {1L, -1L}) {
+    const TrimmedOffset found = trimmed_offset(path, Rational(d, 10));
+    CHECK(found.undecided.empty());
+    CHECK(found.branches.size() == 2);
+    check_trimmed(path, found);
+    // Where it is whole, a part is a whole segment again.
+    for (const TrimmedBranch& branch : found.branches) CHECK(branch.parts.size() <= 2);
+  }
 }
 
 TEST_CASE("offset_trim: what cannot be is refused") {

@@ -1,0 +1,102 @@
+// With any s(t) in [0, 1], |X/W − base(s(t))|² < d² for all t proves it, a polynomial in t. s(t) is
+// the cubic through the feet of perpendiculars from four points: where s is off by ε, the distance
+// is so by ε².
+#include "phrame/ph/offset/shadow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+constexpr long foot_bits = 256;
+constexpr long foot_places = 128;
+
+Rational foot_rounded(const Rational& x) {
+  const Rational unit = power_of_two(-foot_places);
+  return unit * Rational(floor(x / unit));
+}
+
+/// Where near s the base is nearest to the point, by Newton's method; a guess.
+std::optional<Rational> foot(const Vector<Polynomial>& base, const Vector<Rational>& at,
+                             Rational s) {
+  constexpr int steps = 6;
+  for (int k = 0; k < steps; ++k) {
+    // f = (base − at)·base′ and f′.
+    RealBall f;
+    RealBall slope;
+    const RealBall here(s, foot_bits);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Polynomial rate = differentiate(base[j]);
+      const RealBall gap =
+          subtract(evaluate(base[j], here, foot_bits), RealBall(at[j], foot_bits), foot_bits);
+      const RealBall first = evaluate(rate, here, foot_bits);
+      f = add_product(f, gap, first, foot_bits);
+      slope = add_product(slope, first, first, foot_bits);
+      slope = add_product(slope, gap, evaluate(differentiate(rate), here, foot_bits), foot_bits);
+    }
+    const RealBall next = subtract(here, divide(f, slope, foot_bits), foot_bits);
+    if (!next.is_finite()) return std::nullopt;
+    s = foot_rounded(next.midpoint());
+    if (s < -1 || s > 2) return std::nullopt;
+  }
+  return s;
+}
+
+/// The cubic through these values at 0, 1/3, 2/3, 1.
+Polynomial cubic_through(const std::array<Rational, 4>& values) {
+  Polynomial sum;
+  for (std::size_t k = 0; k < 4; ++k) {
+    Polynomial basis{1};
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j == k) continue;
+      const Rational gap = Rational(static_cast<long>(k)) - Rational(static_cast<long>(j));
+      basis *= Polynomial{-Rational(static_cast<long>(j)) / gap, 3 / gap};
+    }
+    sum += values[k] * basis;
+  }
+  return sum;
+}
+
+std::vector<RealBall> bernstein(const Polynomial& p) {
+  constexpr long bits = 256;
+  return to_bernstein(BallPolynomial(p, bits), std::max(p.degree(), 0L), bits);
+}
+
+bool is_positive(const Polynomial& p) {
+  return std::ranges::all_of(bernstein(p), [](const RealBall& c) { return sign(c) > 0; });
+}
+
+}  // namespace
+
+bool is_nearer_along(const RationalCurve& curve, const Rational& lower, const Rational& upper,
+                     const Vector<Polynomial>& base, const Rational& beside, const Rational& d) {
+  const Rational width = upper - lower;
+  Rational s = beside;
+  std::array<Rational, 4> feet;
+  const bool is_point = base[0].is_constant() && base[1].is_constant();
+  for (std::size_t k = 0; k < 4 && !is_point; ++k) {
+    const Vector<Rational> at = point(curve, lower + width * Rational(static_cast<long>(k), 3));
+    const auto found = foot(base, at, s);
+    if (!found) return false;
+    feet[k] = s = *found;
+    const Vector<Rational> gap = at - evaluate(base, s);
+    if (gap[0] * gap[0] + gap[1] * gap[1] >= d * d) return false;
+  }
+  const Polynomial along = cubic_through(feet);
+  if (!is_point && !(is_positive(along) && is_positive(Polynomial{1} - along))) return false;
+  const Polynomial t{lower, width};
+  const Polynomial weight = compose(curve.weight(), t);
+  Polynomial room = d * d * weight * weight;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Polynomial gap = compose(curve.numerator()[k], t) - weight * compose(base[k], along);
+    room -= gap * gap;
+  }
+  return is_positive(room);
+}
+
+}  // namespace phrame
