@@ -11,6 +11,7 @@
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
@@ -25,12 +26,7 @@ Curve inflected() {
 }
 
 std::string message(const Curve& curve, TabulatedFrame frame, const Rational& t) {
-  try {
-    frame_table(curve, {frame}, {t});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<Error>([&] { frame_table(curve, {frame}, {t}); });
 }
 
 }  // namespace
@@ -195,12 +191,7 @@ TEST_CASE("frame table: at an irrational t the rational values are exact, the ot
 
 TEST_CASE("frame table: scalars that are undefined or infinite are refused, with t") {
   const auto message = [](const Curve& curve, TabulatedScalar scalar, const RealAlgebraic& t) {
-    try {
-      frame_table(curve, {{}, {scalar}}, {t});
-    } catch (const DomainError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of<DomainError>([&] { frame_table(curve, {{}, {scalar}}, {t}); });
   };
   const auto contains = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;

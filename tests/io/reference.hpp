@@ -13,6 +13,7 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "support/data.hpp"
+#include "support/refusal.hpp"
 
 // The reference values of tests/data, and how a printed decimal is compared with them: exactly.
 namespace phrame::inline v0::test {
@@ -29,12 +30,7 @@ inline std::string read_data(const std::string& name) {
 
 /// Why it is not read as a path; empty where it is.
 inline std::string refusal(std::string_view text, const FileReading& reading = {}) {
-  try {
-    read_any_path(text, {}, reading);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_any_path(text, {}, reading); });
 }
 
 inline const Json& farouki_2003() {

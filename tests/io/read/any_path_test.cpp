@@ -10,6 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/data.hpp"
+#include "support/refusal.hpp"
 
 namespace any_path_test {
 
@@ -31,12 +32,7 @@ const RationalCurve& segment(const Path& path, std::size_t k) {
 }
 
 std::string refusal(const std::string& text, const CurveLimits& limits = {}) {
-  try {
-    read_any_path(text, limits);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_any_path(text, limits); });
 }
 
 std::string content(const std::string& path) {
@@ -94,12 +90,7 @@ TEST_CASE("control points, weights and positions are the curves that they say") 
 
 TEST_CASE("what asks for PH curves takes weights and positions for what they are") {
   const auto refused = [](const std::string& text) {
-    try {
-      read_path(text);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { read_path(text); });
   };
   const std::string line = R"("control_points": [[0, 0, 0], [1, 0, 0], [2, 0, 0]])";
   CHECK(refused(object("curve/1", line)).empty());
@@ -230,12 +221,7 @@ TEST_CASE("what is wrong is refused at its place, in one line") {
 
 TEST_CASE("numbers of more than 20000 bits are refused where they are") {
   const auto refused = [](const std::string& text) {
-    try {
-      read_any_path(text);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { read_any_path(text); });
   };
   const std::string long_number = "has more than 20000 bits";
   CHECK(refused(object("curve/1", R"("control_points": [[0, 0], [1, 1e99999], [2, 0], [3, 1]])")) ==

@@ -4,6 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -21,12 +22,7 @@ TEST_CASE("certificate: bad files are refused with their place") {
   const auto refusal = [&](const char* pointer, const Json& value) {
     Json bad = good;
     bad[Json::json_pointer(pointer)] = value;
-    try {
-      read_certificate(bad.dump());
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { read_certificate(bad.dump()); });
   };
   CHECK(refusal("/phrame", "certificate/2").starts_with("/phrame: the format is"));
   CHECK(refusal("/extra", 1).starts_with("/: unknown key \"extra\""));
@@ -96,12 +92,7 @@ TEST_CASE("certificate: what takes more work than the page says is refused, or n
   CHECK(read.certificate == c);
   CHECK(read.name == named.name);
   const auto refusal = [&json](bool is_limited) {
-    try {
-      read_certificate(json.dump(), {.is_limited = is_limited});
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { read_certificate(json.dump(), {.is_limited = is_limited}); });
   };
   json["claims"][0]["radius"] = "1e-9800";
   CHECK(refusal(true).starts_with("/: to check it is work of "));

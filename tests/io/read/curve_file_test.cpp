@@ -12,6 +12,7 @@
 #include "support/data.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 #include "support/text.hpp"
 
 namespace curve_file_test {
@@ -390,12 +391,7 @@ const std::string from_one =
 PhPath read_spline(const std::string& segments) { return read_path(spline_file(segments)).path; }
 
 std::string spline_refusal(const std::string& text) {
-  try {
-    read_path(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_path(text); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/integrate/endpoint.hpp"
+#include "support/refusal.hpp"
 
 namespace endpoint_test {
 
@@ -12,12 +13,7 @@ using namespace phrame;
 namespace {
 
 std::string refusal(std::string_view text) {
-  try {
-    parse_endpoint(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { parse_endpoint(text); });
 }
 
 Rational rational(std::string_view text) { return std::get<Rational>(parse_endpoint(text)); }

@@ -13,6 +13,7 @@
 #include "support/curves.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 namespace frame_csv_test {
 
@@ -21,12 +22,7 @@ using namespace phrame;
 namespace {
 
 std::string refusal(const std::string& text) {
-  try {
-    read_frames(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_frames(text); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "support/expression_curves.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
@@ -119,12 +120,7 @@ TEST_CASE("joints: a table of a closed curve may end next to its first point") {
 
 TEST_CASE("joints: a polyline has no parameters, and no degree but one") {
   const auto refusal = [](const std::string& text) {
-    try {
-      read_any_path(text);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { read_any_path(text); });
   };
   CHECK(read_any_path(R"({"phrame": "points/1", "kind": "polyline",
       "points": [[0, 0], [1, 0], [1, 1]]})")

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
+#include "support/refusal.hpp"
 
 namespace json_table_test {
 
@@ -13,12 +14,7 @@ namespace {
 JsonTable table(const std::string& text) { return JsonTable(parse_json(text)); }
 
 std::string refusal(const std::string& text) {
-  try {
-    table(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { table(text); });
 }
 
 }  // namespace

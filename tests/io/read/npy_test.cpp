@@ -10,6 +10,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/frame_csv.hpp"
 #include "support/data.hpp"
+#include "support/refusal.hpp"
 
 namespace npy_test {
 
@@ -40,12 +41,7 @@ Rows rows_of(const std::string& name) {
 }
 
 std::string refusal(const std::string& bytes) {
-  try {
-    read_frames(bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_frames(bytes); });
 }
 
 /// The double next to 1/10, that next to 1/3 and the least one.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "support/refusal.hpp"
 
 namespace point_file_test {
 
@@ -12,12 +13,7 @@ using namespace phrame;
 namespace {
 
 std::string refusal(const std::string& text) {
-  try {
-    read_points(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_points(text); });
 }
 
 std::string json(const std::string& rest) {

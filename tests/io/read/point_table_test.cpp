@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/point_file.hpp"
+#include "support/refusal.hpp"
 
 namespace point_table_test {
 
@@ -16,12 +17,7 @@ using Notes = std::vector<std::string>;
 const std::vector<Vector<Rational>> two{{0, 1, 2}, {Rational(3, 2), 4, 5}};
 
 std::string refusal(const std::string& text, bool skips_invalid = false) {
-  try {
-    read_points(text, {skips_invalid});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_points(text, {skips_invalid}); });
 }
 
 GivenPoints skipped(const std::string& text) { return read_points(text, {true}); }

@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/profile_curve.hpp"
+#include "support/refusal.hpp"
 #include "support/text.hpp"
 
 #include <doctest/doctest.h>
@@ -17,24 +18,16 @@ namespace {
 using Corners = std::vector<ProfilePoint>;
 
 std::string complaint(const std::string& text, bool is_file) {
-  try {
+  return test::refusal_of([&] {
     if (is_file)
       read_profile(text);
     else
       parse_profile(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 std::string complaint_within(const std::string& text, const Rational& angle) {
-  try {
-    read_profile(text, {Rational(1, 10), angle});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_profile(text, {Rational(1, 10), angle}); });
 }
 
 }  // namespace

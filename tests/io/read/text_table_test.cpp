@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "phrame/algebra/error.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
@@ -36,12 +37,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string number_refusal(const std::string& text) {
-  try {
-    TextTable(text, {}).number(0, 0);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { TextTable(text, {}).number(0, 0); });
 }
 
 }  // namespace

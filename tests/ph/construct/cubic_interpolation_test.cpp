@@ -9,6 +9,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "support/data.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using test::for_samples;
@@ -89,12 +90,7 @@ void check_spline(const CubicInterpolation& data) {
 constexpr SplineEnds all_ends[] = {SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
 
 std::string refusal(const CubicInterpolation& data) {
-  try {
-    cubic_derivatives(data);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<DomainError>([&] { cubic_derivatives(data); });
 }
 
 }  // namespace

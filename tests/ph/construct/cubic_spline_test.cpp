@@ -5,6 +5,7 @@
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using test::for_samples;
@@ -114,12 +115,7 @@ TEST_CASE("PH cubics: straight data have a line, others with parallel tangents n
   const Construction found = cubic_spline(line, 1, tolerance("1e-15"));
   CHECK(found.deviation.points <= parse_rational("1e-15"));
   const auto refusal = [](const HermiteSpline& data) -> std::string {
-    try {
-      cubic_spline(data, 1, tolerance("1e-15"));
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<DomainError>([&] { cubic_spline(data, 1, tolerance("1e-15")); });
   };
   CHECK(refusal({{{0, 0, 0}, {1, 1, 0}}, {{1, 0, 0}, {1, 0, 0}}, {0, 1}}) ==
         "segment 1: there is no PH cubic with these ends and tangents");

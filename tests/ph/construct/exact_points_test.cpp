@@ -11,6 +11,7 @@
 #include "phrame/ph/construct/rrmf_spline.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "support/hermite.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using test::one_segment;
@@ -154,12 +155,8 @@ TEST_CASE("exact points: of points only, with their natural spline") {
 TEST_CASE("exact points: where a multiplier leads nowhere, a line says so") {
   const HermiteSpline line = one_segment({1, 2, 3}, {1, 2, 3}, {1, 2, 3});
   const auto refusal = [&](const Shaped& kind) -> std::string {
-    try {
-      kind.make(line, relative(line, parse_rational("1e-15")));
-    } catch (const Undecided& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<Undecided>(
+        [&] { kind.make(line, relative(line, parse_rational("1e-15"))); });
   };
   CHECK(refusal(kinds[3]).starts_with("segment 1: no slight change of its speed leads to"));
   CHECK(refusal(kinds[1]).starts_with("segment 1: "));

@@ -4,6 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using test::for_samples;
@@ -18,12 +19,7 @@ GivenPoints points(const std::vector<Vector<Rational>>& list) {
 }
 
 std::string refusal(const GivenPoints& given, bool is_closed) {
-  try {
-    hermite_spline(given, is_closed);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<DomainError>([&] { hermite_spline(given, is_closed); });
 }
 
 /// Second derivative of the cubic with these Hermite data, at 0 or at 1 of a step h.

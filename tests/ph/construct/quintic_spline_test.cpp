@@ -10,6 +10,7 @@
 #include "phrame/ph/construct/preimage.hpp"
 #include "support/energy.hpp"
 #include "support/hermite.hpp"
+#include "support/refusal.hpp"
 
 namespace quintic_spline_test {
 
@@ -239,12 +240,8 @@ TEST_CASE("quintic splines: a derivative far below the tolerance still has its d
 TEST_CASE("quintic splines: what is no curve is refused, with its place") {
   const Deviation allowed{number("1e-15"), number("1e-15")};
   const auto refusal = [&](const HermiteSpline& data) -> std::string {
-    try {
-      quintic_spline(data, QuinticSelection::automatic, allowed);
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<DomainError>(
+        [&] { quintic_spline(data, QuinticSelection::automatic, allowed); });
   };
   CHECK(
       refusal({{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}}, {{1, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {0, 1, 2}}) ==

@@ -11,6 +11,7 @@
 #include "phrame/ph/frame/rational_frame.hpp"
 #include "support/energy.hpp"
 #include "support/hermite.hpp"
+#include "support/refusal.hpp"
 
 namespace rmf_spline_test {
 
@@ -191,12 +192,7 @@ TEST_CASE("RMF splines: a run of parallel tangents has one direction, and no lon
 
 TEST_CASE("RMF splines: what is no curve is refused, with its place") {
   const auto refusal = [](const HermiteSpline& data) -> std::string {
-    try {
-      rmf_spline(data, relative(data, decimal("1e-15")));
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<Error>([&] { rmf_spline(data, relative(data, decimal("1e-15"))); });
   };
   CHECK(
       refusal({{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}}, {{1, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {0, 1, 2}}) ==

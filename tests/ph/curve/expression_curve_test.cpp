@@ -7,6 +7,7 @@
 #include "phrame/io/read/formula.hpp"
 #include "phrame/ph/curve/exact_vector.hpp"
 #include "support/expression_curves.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 using test::expression_curve;
@@ -64,12 +65,7 @@ TEST_CASE("expression curve: directions agree up to a positive factor") {
 // s*2^(10^9) aborted where memory was short, the others took minutes.
 TEST_CASE("expression curve: what is too large or too small to compute with is refused at once") {
   const auto refusal = [](const char* x, const char* y) {
-    try {
-      expression_curve({x, y, "0"}, "0", "1");
-    } catch (const DomainError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of<DomainError>([&] { expression_curve({x, y, "0"}, "0", "1"); });
   };
   CHECK(refusal("s*2^(5*10^5*2)", "s") ==
         "2^1000000 is at least 2^1000000 at t = 0: what is computed with is less than 2^20000");

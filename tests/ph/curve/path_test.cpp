@@ -6,19 +6,17 @@
 #include "phrame/ph/curve/place.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
 namespace {
 
 std::string complaint(const RationalCurve& first, const RationalCurve& second) {
-  try {
+  return test::refusal_of<DomainError>([&] {
     Path path{Segment(first)};
     path.append(second);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return {};
+  });
 }
 
 RationalCurve quarter(long turns) {

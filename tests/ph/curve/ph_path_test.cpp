@@ -6,18 +6,16 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
 TEST_CASE("path: PH curves that do not go on or turn back are refused, with what differs") {
   const auto complaint = [](const Curve& first, const Curve& second) {
-    try {
+    return test::refusal_of<DomainError>([&] {
       PhPath path(first);
       path.append(second);
-    } catch (const DomainError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    });
   };
   const Curve line({{1}, {}, {}, {}});
   CHECK(complaint(line, line) == "it starts at (0, 0, 0), but the spline ends at (1, 0, 0)");

@@ -5,6 +5,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
@@ -20,12 +21,7 @@ void check_law(const RationalCurve& curve) {
 }
 
 std::string complaint(const Vector<Polynomial>& numerator, const Polynomial& weight) {
-  try {
-    const RationalCurve curve(numerator, weight);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusal_of<DomainError>([&] { const RationalCurve curve(numerator, weight); });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
+#include "support/refusal.hpp"
 
 namespace frame_start_test {
 
@@ -191,12 +192,7 @@ TEST_CASE("frame start: a cusp there is no matter") {
 TEST_CASE("frame start: what has no direction is refused, with the reason") {
   const PhPath path(test::quintic);  // e₁ = (2, 2, 1)/3 at t = 0
   const auto message = [&](const Vector<Rational>& v) -> std::string {
-    try {
-      start_angle(StartNormal(v), path);
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<DomainError>([&] { start_angle(StartNormal(v), path); });
   };
   CHECK(message({0, 0, 0}) == "the vector (0, 0, 0) has no part in the normal plane");
   CHECK(message({Rational(-1, 2), Rational(-1, 2), Rational(-1, 4)}) ==

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "support/refusal.hpp"
 
 using namespace phrame;
 
@@ -98,12 +99,7 @@ TEST_CASE("profile curve: a polygon keeps its holes") {
 
 TEST_CASE("profile curve: rings that are no outline with holes are refused by number") {
   const auto refusal = [](std::vector<std::vector<PlaneBezier>> rings) -> std::string {
-    try {
-      ProfileCurve::of_rings(std::move(rings));
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of<DomainError>([&] { ProfileCurve::of_rings(std::move(rings)); });
   };
   CHECK(refusal({}) == "profile: it has no ring");
   auto open = line_and_arc();

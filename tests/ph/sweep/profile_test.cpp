@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "support/refusal.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;
@@ -25,21 +26,11 @@ Rational doubled_area(const Profile& profile) {
 }
 
 std::string ring_complaint(const std::vector<std::vector<ProfilePoint>>& rings) {
-  try {
-    Profile::of_rings(rings);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<DomainError>([&] { Profile::of_rings(rings); });
 }
 
 std::string complaint(const std::vector<ProfilePoint>& corners) {
-  try {
-    const Profile profile(corners);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<DomainError>([&] { const Profile profile(corners); });
 }
 
 }  // namespace

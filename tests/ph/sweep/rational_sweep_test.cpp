@@ -7,6 +7,7 @@
 #include "phrame/ph/frame/frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;
@@ -89,12 +90,7 @@ RationalSurface swept(const PhPath& path, const RationalSweepForm& form,
 }
 
 std::string refusal(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<Error>([&] { make(); });
 }
 
 }  // namespace rational_sweep_test
