@@ -3,14 +3,12 @@
 #include <memory>
 #include <ostream>
 
+#include "phrame/algebra/result_of.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
-Rational exact_value(const arf_t x) {
-  Rational value;
-  arf_get_fmpq(value.raw(), x);
-  return value;
-}
+Rational exact_value(const arf_t x) { return result_of<Rational>(arf_get_fmpq, x); }
 
 }  // namespace
 
@@ -28,11 +26,7 @@ Rational RealBall::upper() const { return midpoint() + radius(); }
 
 Rational RealBall::midpoint() const { return exact_value(arb_midref(raw())); }
 
-Rational RealBall::radius() const {
-  Rational value;
-  mag_get_fmpq(value.raw(), arb_radref(raw()));
-  return value;
-}
+Rational RealBall::radius() const { return result_of<Rational>(mag_get_fmpq, arb_radref(raw())); }
 
 bool RealBall::contains(const Rational& x) const { return arb_contains_fmpq(raw(), x.raw()) != 0; }
 
@@ -48,11 +42,7 @@ int sign(const RealBall& a) {
   return arb_is_positive(a.raw()) != 0 ? 1 : arb_is_negative(a.raw()) != 0 ? -1 : 0;
 }
 
-RealBall absolute(const RealBall& a) {
-  RealBall size;
-  arb_abs(size.raw(), a.raw());
-  return size;
-}
+RealBall absolute(const RealBall& a) { return result_of<RealBall>(arb_abs, a.raw()); }
 
 double approximate(const RealBall& a) { return arf_get_d(arb_midref(a.raw()), ARF_RND_NEAR); }
 
@@ -67,33 +57,23 @@ RealBall hull(const Rational& a, const Rational& b, long bits) {
 }
 
 RealBall hull(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_union(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_union, a.raw(), b.raw(), bits);
 }
 
 RealBall add(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_add(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_add, a.raw(), b.raw(), bits);
 }
 
 RealBall subtract(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_sub(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_sub, a.raw(), b.raw(), bits);
 }
 
 RealBall multiply(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_mul(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_mul, a.raw(), b.raw(), bits);
 }
 
 RealBall divide(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_div(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_div, a.raw(), b.raw(), bits);
 }
 
 RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bits) {
@@ -101,22 +81,14 @@ RealBall add_product(RealBall sum, const RealBall& a, const RealBall& b, long bi
   return sum;
 }
 
-RealBall sqrt(const RealBall& a, long bits) {
-  RealBall c;
-  arb_sqrt(c.raw(), a.raw(), bits);
-  return c;
-}
+RealBall sqrt(const RealBall& a, long bits) { return result_of<RealBall>(arb_sqrt, a.raw(), bits); }
 
 RealBall pow(const RealBall& a, long k, long bits) {
-  RealBall c;
-  arb_pow_ui(c.raw(), a.raw(), static_cast<ulong>(k), bits);
-  return c;
+  return result_of<RealBall>(arb_pow_ui, a.raw(), static_cast<ulong>(k), bits);
 }
 
 RealBall sqrt_of_nonnegative(const RealBall& a, long bits) {
-  RealBall c;
-  arb_sqrtpos(c.raw(), a.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_sqrtpos, a.raw(), bits);
 }
 
 RealBall times_power_of_two(RealBall a, long k) {
@@ -146,16 +118,10 @@ RealBall widened(RealBall a, double by) {
 }
 
 RealBall argument(const Rational& x, const Rational& y, long bits) {
-  RealBall angle;
-  arb_atan2(angle.raw(), RealBall(y, bits).raw(), RealBall(x, bits).raw(), bits);
-  return angle;
+  return result_of<RealBall>(arb_atan2, RealBall(y, bits).raw(), RealBall(x, bits).raw(), bits);
 }
 
-RealBall pi(long bits) {
-  RealBall c;
-  arb_const_pi(c.raw(), bits);
-  return c;
-}
+RealBall pi(long bits) { return result_of<RealBall>(arb_const_pi, bits); }
 
 CosSin cos_sin(const RealBall& angle, long bits) {
   CosSin result;
@@ -173,64 +139,36 @@ ComplexBall ComplexBall::unknown() {
   return z;
 }
 
-ComplexBall ComplexBall::midpoint() const {
-  ComplexBall middle;
-  acb_get_mid(middle.raw(), raw());
-  return middle;
-}
+ComplexBall ComplexBall::midpoint() const { return result_of<ComplexBall>(acb_get_mid, raw()); }
 
-RealBall ComplexBall::re() const {
-  RealBall part;
-  acb_get_real(part.raw(), raw());
-  return part;
-}
+RealBall ComplexBall::re() const { return result_of<RealBall>(acb_get_real, raw()); }
 
-RealBall ComplexBall::im() const {
-  RealBall part;
-  acb_get_imag(part.raw(), raw());
-  return part;
-}
+RealBall ComplexBall::im() const { return result_of<RealBall>(acb_get_imag, raw()); }
 
-ComplexBall conjugate(const ComplexBall& z) {
-  ComplexBall c;
-  acb_conj(c.raw(), z.raw());
-  return c;
-}
+ComplexBall conjugate(const ComplexBall& z) { return result_of<ComplexBall>(acb_conj, z.raw()); }
 
 RealBall absolute(const ComplexBall& z, long bits) {
-  RealBall size;
-  acb_abs(size.raw(), z.raw(), bits);
-  return size;
+  return result_of<RealBall>(acb_abs, z.raw(), bits);
 }
 
 ComplexBall add(const ComplexBall& a, const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_add(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_add, a.raw(), b.raw(), bits);
 }
 
 ComplexBall subtract(const ComplexBall& a, const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_sub(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_sub, a.raw(), b.raw(), bits);
 }
 
 ComplexBall multiply(const ComplexBall& a, const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_mul(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_mul, a.raw(), b.raw(), bits);
 }
 
 ComplexBall multiply(const RealBall& a, const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_mul_arb(c.raw(), b.raw(), a.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_mul_arb, b.raw(), a.raw(), bits);
 }
 
 RealBall argument(const ComplexBall& z, long bits) {
-  RealBall angle;
-  acb_arg(angle.raw(), z.raw(), bits);
-  return angle;
+  return result_of<RealBall>(acb_arg, z.raw(), bits);
 }
 
 RealBall argument_about_pi(const ComplexBall& z, long bits) {
@@ -262,15 +200,11 @@ RealBall evaluate(const RationalFunction& f, const RealBall& x, long bits) {
 }
 
 ComplexBall divide(const ComplexBall& a, const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_div(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_div, a.raw(), b.raw(), bits);
 }
 
 ComplexBall inverse(const ComplexBall& b, long bits) {
-  ComplexBall c;
-  acb_inv(c.raw(), b.raw(), bits);
-  return c;
+  return result_of<ComplexBall>(acb_inv, b.raw(), bits);
 }
 
 std::string to_string(const RealBall& a, long digits) {

@@ -1,5 +1,7 @@
 #include "phrame/algebra/ball_order.hpp"
 
+#include "phrame/algebra/result_of.hpp"
+
 namespace phrame::inline v0 {
 
 bool is_less(const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.raw()) != 0; }
@@ -7,15 +9,11 @@ bool is_less(const RealBall& a, const RealBall& b) { return arb_lt(a.raw(), b.ra
 bool is_at_most(const RealBall& a, const RealBall& b) { return arb_le(a.raw(), b.raw()) != 0; }
 
 RealBall max(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_max(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_max, a.raw(), b.raw(), bits);
 }
 
 RealBall min(const RealBall& a, const RealBall& b, long bits) {
-  RealBall c;
-  arb_min(c.raw(), a.raw(), b.raw(), bits);
-  return c;
+  return result_of<RealBall>(arb_min, a.raw(), b.raw(), bits);
 }
 
 RealBall lower_end(const RealBall& a, long bits) {

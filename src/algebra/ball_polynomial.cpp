@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "phrame/algebra/result_of.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame::inline v0 {
@@ -140,9 +141,7 @@ BallPolynomial::BallPolynomial(const std::vector<RealBall>& ascending) {
 }
 
 RealBall BallPolynomial::coefficient(long k) const {
-  RealBall c;
-  arb_poly_get_coeff_arb(c.raw(), raw(), k);
-  return c;
+  return result_of<RealBall>(arb_poly_get_coeff_arb, raw(), k);
 }
 
 BallPolynomial with_constant(BallPolynomial p, const RealBall& c) {
@@ -156,33 +155,23 @@ BallPolynomial operator-(BallPolynomial p) {
 }
 
 BallPolynomial add(const BallPolynomial& p, const BallPolynomial& q, long bits) {
-  BallPolynomial sum;
-  arb_poly_add(sum.raw(), p.raw(), q.raw(), bits);
-  return sum;
+  return result_of<BallPolynomial>(arb_poly_add, p.raw(), q.raw(), bits);
 }
 
 BallPolynomial subtract(const BallPolynomial& p, const BallPolynomial& q, long bits) {
-  BallPolynomial difference;
-  arb_poly_sub(difference.raw(), p.raw(), q.raw(), bits);
-  return difference;
+  return result_of<BallPolynomial>(arb_poly_sub, p.raw(), q.raw(), bits);
 }
 
 BallPolynomial multiply(const BallPolynomial& p, const BallPolynomial& q, long bits) {
-  BallPolynomial product;
-  arb_poly_mul(product.raw(), p.raw(), q.raw(), bits);
-  return product;
+  return result_of<BallPolynomial>(arb_poly_mul, p.raw(), q.raw(), bits);
 }
 
 BallPolynomial multiply(const RealBall& c, const BallPolynomial& p, long bits) {
-  BallPolynomial product;
-  arb_poly_scalar_mul(product.raw(), p.raw(), c.raw(), bits);
-  return product;
+  return result_of<BallPolynomial>(arb_poly_scalar_mul, p.raw(), c.raw(), bits);
 }
 
 BallPolynomial differentiate(const BallPolynomial& p, long bits) {
-  BallPolynomial derivative;
-  arb_poly_derivative(derivative.raw(), p.raw(), bits);
-  return derivative;
+  return result_of<BallPolynomial>(arb_poly_derivative, p.raw(), bits);
 }
 
 BallPolynomial antiderivative(BallPolynomial p, long bits) {
@@ -204,9 +193,7 @@ BallPolynomial stretched(BallPolynomial p, long e) {
 }
 
 RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits) {
-  RealBall value;
-  arb_poly_evaluate(value.raw(), p.raw(), x.raw(), bits);
-  return value;
+  return result_of<RealBall>(arb_poly_evaluate, p.raw(), x.raw(), bits);
 }
 
 RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, long bits) {

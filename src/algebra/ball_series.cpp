@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/result_of.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
@@ -20,9 +22,7 @@ BallPolynomial truncated(BallPolynomial p, long length) {
 
 BallPolynomial multiply_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                                long bits) {
-  BallPolynomial product;
-  arb_poly_mullow(product.raw(), p.raw(), q.raw(), length, bits);
-  return product;
+  return result_of<BallPolynomial>(arb_poly_mullow, p.raw(), q.raw(), length, bits);
 }
 
 RealBall coefficient_of_product(const BallPolynomial& p, const BallPolynomial& q, long n,
@@ -42,15 +42,11 @@ void set_coefficient(BallPolynomial& p, long k, const RealBall& c) {
 
 BallPolynomial divide_series(const BallPolynomial& p, const BallPolynomial& q, long length,
                              long bits) {
-  BallPolynomial quotient;
-  arb_poly_div_series(quotient.raw(), p.raw(), q.raw(), length, bits);
-  return quotient;
+  return result_of<BallPolynomial>(arb_poly_div_series, p.raw(), q.raw(), length, bits);
 }
 
 BallPolynomial inverse_sqrt_series(const BallPolynomial& p, long length, long bits) {
-  BallPolynomial series;
-  arb_poly_rsqrt_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_rsqrt_series, p.raw(), length, bits);
 }
 
 CosSinSeries cos_sin_series(const BallPolynomial& p, long length, long bits) {
@@ -60,35 +56,25 @@ CosSinSeries cos_sin_series(const BallPolynomial& p, long length, long bits) {
 }
 
 BallPolynomial exp_series(const BallPolynomial& p, long length, long bits) {
-  BallPolynomial series;
-  arb_poly_exp_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_exp_series, p.raw(), length, bits);
 }
 
 BallPolynomial log_series(const BallPolynomial& p, long length, long bits) {
   if (sign(p.coefficient(0)) <= 0) return unknown_ball_series(length);
-  BallPolynomial series;
-  arb_poly_log_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_log_series, p.raw(), length, bits);
 }
 
 BallPolynomial atan_series(const BallPolynomial& p, long length, long bits) {
-  BallPolynomial series;
-  arb_poly_atan_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_atan_series, p.raw(), length, bits);
 }
 
 BallPolynomial sqrt_series(const BallPolynomial& p, long length, long bits) {
   if (sign(p.coefficient(0)) <= 0) return unknown_ball_series(length);
-  BallPolynomial series;
-  arb_poly_sqrt_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_sqrt_series, p.raw(), length, bits);
 }
 
 BallPolynomial pow_series(const BallPolynomial& p, unsigned long k, long length, long bits) {
-  BallPolynomial series;
-  arb_poly_pow_ui_trunc_binexp(series.raw(), p.raw(), k, length, bits);
-  return series;
+  return result_of<BallPolynomial>(arb_poly_pow_ui_trunc_binexp, p.raw(), k, length, bits);
 }
 
 }  // namespace phrame

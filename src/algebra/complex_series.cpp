@@ -1,5 +1,7 @@
 #include "phrame/algebra/complex_series.hpp"
 
+#include "phrame/algebra/result_of.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
@@ -30,68 +32,48 @@ ComplexSeries::ComplexSeries(const std::vector<ComplexBall>& ascending) {
 }
 
 ComplexBall ComplexSeries::coefficient(long k) const {
-  ComplexBall c;
-  acb_poly_get_coeff_acb(c.raw(), raw(), k);
-  return c;
+  return result_of<ComplexBall>(acb_poly_get_coeff_acb, raw(), k);
 }
 
 ComplexSeries add(const ComplexSeries& p, const ComplexSeries& q, long bits) {
-  ComplexSeries sum;
-  acb_poly_add(sum.raw(), p.raw(), q.raw(), bits);
-  return sum;
+  return result_of<ComplexSeries>(acb_poly_add, p.raw(), q.raw(), bits);
 }
 
 ComplexSeries multiply(const RealBall& c, const ComplexSeries& p, long bits) {
-  ComplexSeries product;
-  acb_poly_scalar_mul(product.raw(), p.raw(), ComplexBall(c, {}).raw(), bits);
-  return product;
+  return result_of<ComplexSeries>(acb_poly_scalar_mul, p.raw(), ComplexBall(c, {}).raw(), bits);
 }
 
 ComplexSeries multiply_series(const ComplexSeries& p, const ComplexSeries& q, long length,
                               long bits) {
-  ComplexSeries product;
-  acb_poly_mullow(product.raw(), p.raw(), q.raw(), length, bits);
-  return product;
+  return result_of<ComplexSeries>(acb_poly_mullow, p.raw(), q.raw(), length, bits);
 }
 
 ComplexSeries divide_series(const ComplexSeries& p, const ComplexSeries& q, long length,
                             long bits) {
-  ComplexSeries quotient;
-  acb_poly_div_series(quotient.raw(), p.raw(), q.raw(), length, bits);
-  return quotient;
+  return result_of<ComplexSeries>(acb_poly_div_series, p.raw(), q.raw(), length, bits);
 }
 
 ComplexSeries exp_series(const ComplexSeries& p, long length, long bits) {
-  ComplexSeries series;
-  acb_poly_exp_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<ComplexSeries>(acb_poly_exp_series, p.raw(), length, bits);
 }
 
 ComplexSeries log_series(const ComplexSeries& p, long length, long bits) {
   if (!is_off_negative_axis(p)) return unknown_series(length);
-  ComplexSeries series;
-  acb_poly_log_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<ComplexSeries>(acb_poly_log_series, p.raw(), length, bits);
 }
 
 ComplexSeries atan_series(const ComplexSeries& p, long length, long bits) {
   if (!is_off_imaginary_cuts(p)) return unknown_series(length);
-  ComplexSeries series;
-  acb_poly_atan_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<ComplexSeries>(acb_poly_atan_series, p.raw(), length, bits);
 }
 
 ComplexSeries sqrt_series(const ComplexSeries& p, long length, long bits) {
   if (!is_off_negative_axis(p)) return unknown_series(length);
-  ComplexSeries series;
-  acb_poly_sqrt_series(series.raw(), p.raw(), length, bits);
-  return series;
+  return result_of<ComplexSeries>(acb_poly_sqrt_series, p.raw(), length, bits);
 }
 
 ComplexSeries pow_series(const ComplexSeries& p, unsigned long k, long length, long bits) {
-  ComplexSeries series;
-  acb_poly_pow_ui_trunc_binexp(series.raw(), p.raw(), k, length, bits);
-  return series;
+  return result_of<ComplexSeries>(acb_poly_pow_ui_trunc_binexp, p.raw(), k, length, bits);
 }
 
 ComplexCosSinSeries cos_sin_series(const ComplexSeries& p, long length, long bits) {

@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rational.hpp"
+#include "phrame/algebra/result_of.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -62,42 +63,30 @@ Integer& Integer::operator%=(const Integer& x) {
 std::ostream& operator<<(std::ostream& out, const Integer& x) { return out << x.str(); }
 
 Integer gcd(const Integer& a, const Integer& b) {
-  Integer result;
-  fmpz_gcd(result.raw(), a.raw(), b.raw());
-  return result;
+  return result_of<Integer>(fmpz_gcd, a.raw(), b.raw());
 }
 
 Integer lcm(const Integer& a, const Integer& b) {
-  Integer result;
-  fmpz_lcm(result.raw(), a.raw(), b.raw());
-  return result;
+  return result_of<Integer>(fmpz_lcm, a.raw(), b.raw());
 }
 
 Integer pow(const Integer& base, unsigned long exponent) {
-  Integer result;
-  fmpz_pow_ui(result.raw(), base.raw(), exponent);
-  return result;
+  return result_of<Integer>(fmpz_pow_ui, base.raw(), exponent);
 }
 
 Integer sqrt(const Integer& x) {
   if (x < 0) throw DomainError(fmt::format("sqrt: {} is negative", abbreviated(x.str())));
-  Integer result;
-  fmpz_sqrt(result.raw(), x.raw());
-  return result;
+  return result_of<Integer>(fmpz_sqrt, x.raw());
 }
 
 Integer floor_quotient(const Integer& a, const Integer& b) {
   require_divisor(a, b);
-  Integer result;
-  fmpz_fdiv_q(result.raw(), a.raw(), b.raw());
-  return result;
+  return result_of<Integer>(fmpz_fdiv_q, a.raw(), b.raw());
 }
 
 Integer modulo(const Integer& x, const Integer& m) {
   require_modulus(m);
-  Integer result;
-  fmpz_mod(result.raw(), x.raw(), m.raw());
-  return result;
+  return result_of<Integer>(fmpz_mod, x.raw(), m.raw());
 }
 
 std::optional<Integer> inverse_modulo(const Integer& x, const Integer& m) {

@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/algebra/result_of.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -35,15 +36,11 @@ Polynomial::Polynomial(const std::vector<Rational>& ascending) {
 }
 
 Polynomial Polynomial::monomial(const Rational& c, long k) {
-  Polynomial p;
-  fmpq_poly_set_coeff_fmpq(p.raw(), k, c.raw());
-  return p;
+  return result_of<Polynomial>(fmpq_poly_set_coeff_fmpq, k, c.raw());
 }
 
 Rational Polynomial::coefficient(long k) const {
-  Rational c;
-  fmpq_poly_get_coeff_fmpq(c.raw(), raw(), k);
-  return c;
+  return result_of<Rational>(fmpq_poly_get_coeff_fmpq, raw(), k);
 }
 
 // Of the coefficients n_k/d the gcd of n_k and d divides g = gcd(∏ n_k, d), so that it is that of
@@ -77,16 +74,15 @@ std::vector<Rational> Polynomial::coefficients() const {
 
 Rational Polynomial::operator()(const Rational& t) const {
   if (t == 0 || is_constant()) return coefficient(0);
-  Rational value;
   if (t == 1) {
+    Rational value;
     fmpz* sum = fmpq_numref(value.raw());
     _fmpz_vec_sum(sum, raw()->coeffs, raw()->length);
     fmpz_set(fmpq_denref(value.raw()), raw()->den);
     fmpq_canonicalise(value.raw());
     return value;
   }
-  fmpq_poly_evaluate_fmpq(value.raw(), raw(), t.raw());
-  return value;
+  return result_of<Rational>(fmpq_poly_evaluate_fmpq, raw(), t.raw());
 }
 
 Polynomial& Polynomial::operator+=(const Polynomial& b) {
@@ -132,9 +128,7 @@ Division divide(const Polynomial& a, const Polynomial& b) {
 
 Polynomial operator%(const Polynomial& a, const Polynomial& b) {
   if (b.is_zero()) throw DomainError("remainder: the divisor is the zero polynomial");
-  Polynomial r;
-  fmpq_poly_rem(r.raw(), a.raw(), b.raw());
-  return r;
+  return result_of<Polynomial>(fmpq_poly_rem, a.raw(), b.raw());
 }
 
 namespace {
@@ -240,34 +234,24 @@ IntegerPolynomial integer_primitive_part(const Polynomial& p) {
 }
 
 Polynomial to_polynomial(const fmpz_poly_t p) {
-  Polynomial result;
-  fmpq_poly_set_fmpz_poly(result.raw(), p);
-  return result;
+  return result_of<Polynomial>(fmpq_poly_set_fmpz_poly, p);
 }
 
 Polynomial differentiate(const Polynomial& p) {
-  Polynomial result;
-  fmpq_poly_derivative(result.raw(), p.raw());
-  return result;
+  return result_of<Polynomial>(fmpq_poly_derivative, p.raw());
 }
 
 Polynomial antiderivative(const Polynomial& p) {
-  Polynomial result;
-  fmpq_poly_integral(result.raw(), p.raw());
-  return result;
+  return result_of<Polynomial>(fmpq_poly_integral, p.raw());
 }
 
 Polynomial compose(const Polynomial& p, const Polynomial& q) {
-  Polynomial result;
-  fmpq_poly_compose(result.raw(), p.raw(), q.raw());
-  return result;
+  return result_of<Polynomial>(fmpq_poly_compose, p.raw(), q.raw());
 }
 
 Polynomial pow(const Polynomial& p, long k) {
   if (k < 0) throw DomainError(fmt::format("pow: the exponent {} of a polynomial is negative", k));
-  Polynomial result;
-  fmpq_poly_pow(result.raw(), p.raw(), static_cast<ulong>(k));
-  return result;
+  return result_of<Polynomial>(fmpq_poly_pow, p.raw(), static_cast<ulong>(k));
 }
 
 // Of a square the content is one in ℚ and the primitive part one in ℤ[t] (Gauss).

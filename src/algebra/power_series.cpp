@@ -1,5 +1,7 @@
 #include "phrame/algebra/power_series.hpp"
 
+#include "phrame/algebra/result_of.hpp"
+
 namespace phrame::inline v0 {
 
 Polynomial truncated(Polynomial p, long n) {
@@ -8,27 +10,19 @@ Polynomial truncated(Polynomial p, long n) {
 }
 
 Polynomial reversed(const Polynomial& p, long length) {
-  Polynomial result;
-  fmpq_poly_reverse(result.raw(), p.raw(), length);
-  return result;
+  return result_of<Polynomial>(fmpq_poly_reverse, p.raw(), length);
 }
 
 Polynomial exp_series(const Polynomial& p, long n) {
-  Polynomial result;
-  fmpq_poly_exp_series(result.raw(), p.raw(), n);
-  return result;
+  return result_of<Polynomial>(fmpq_poly_exp_series, p.raw(), n);
 }
 
 Polynomial power_sums_of_roots(const Polynomial& p, long count) {
-  Polynomial s;
-  fmpq_poly_power_sums(s.raw(), p.raw(), count);
-  return s;
+  return result_of<Polynomial>(fmpq_poly_power_sums, p.raw(), count);
 }
 
 Polynomial with_power_sums(const std::vector<Rational>& s) {
-  Polynomial p;
-  fmpq_poly_power_sums_to_poly(p.raw(), Polynomial(s).raw());
-  return p;
+  return result_of<Polynomial>(fmpq_poly_power_sums_to_poly, Polynomial(s).raw());
 }
 
 }  // namespace phrame

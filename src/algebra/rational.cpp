@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/result_of.hpp"
 
 namespace phrame::inline v0 {
 
@@ -45,9 +46,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x
 Integer floor(const Rational& x) { return floor_quotient(numerator(x), denominator(x)); }
 
 Rational simplest_between(const Rational& a, const Rational& b) {
-  Rational simplest;
-  fmpq_simplest_between(simplest.raw(), a.raw(), b.raw());
-  return simplest;
+  return result_of<Rational>(fmpq_simplest_between, a.raw(), b.raw());
 }
 
 namespace {
