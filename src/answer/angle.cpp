@@ -40,17 +40,22 @@ std::variant<Rational, Decimal> shown_parameter(const Real& x, const std::string
 
 }  // namespace
 
-AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
-                       const std::function<Decimal(const std::string& what)>& theta) {
-  const Real t = parameter(point.at);
-  const bool is_t = by == ParameterKind::t;
-  const Real& asked = point.value;
-  const std::string where =
-      (is_t ? "t = " : "the parameter asked for, ") +
-      (asked.exact() ? as_written(*asked.exact()) : to_string(asked.enclose(64), 9));
-  AngleValue found{shown_parameter(t, "t at " + where, digits), theta("theta at " + where)};
-  if (!is_t) found.asked = shown_parameter(asked, "the parameter asked for", digits);
-  return found;
+std::vector<AngleValue> angle_values(
+    const NamedPath& path, const AngleValuesQuery& query,
+    const std::function<Real(const Place& at)>& theta,
+    const std::function<Decimal(const Real& x, const std::string& what)>& decimal) {
+  const bool is_t = query.by == ParameterKind::t;
+  std::vector<AngleValue> values;
+  for (const auto& [asked, at] : Parametrization(path, query.by).points(query.at, query.samples)) {
+    const std::string where =
+        (is_t ? "t = " : "the parameter asked for, ") +
+        (asked.exact() ? as_written(*asked.exact()) : to_string(asked.enclose(64), 9));
+    AngleValue found{shown_parameter(parameter(at), "t at " + where, query.digits),
+                     decimal(theta(at), "theta at " + where)};
+    if (!is_t) found.asked = shown_parameter(asked, "the parameter asked for", query.digits);
+    values.push_back(std::move(found));
+  }
+  return values;
 }
 
 AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
@@ -81,13 +86,9 @@ AngleAnswer answer(const NamedPath& named, const AngleQuery& query) {
     answer.start_angle = decimal(start.value, "theta at t = 0");
   if (answer.reference == Reference::up) answer.up = angle.up();
   if (query.wants_formula) add_formulas(answer, angle, query);
-  for (const ParameterPoint& point :
-       Parametrization(named, query.by).points(query.at, query.samples)) {
-    const Real theta = angle.value(point.at, start);
-    answer.values.push_back(
-        angle_value(point, query.by, query.digits,
-                    [&](const std::string& what) { return decimal(theta, what); }));
-  }
+  answer.values = angle_values(
+      named, {query.at, query.by, query.samples, query.digits},
+      [&](const Place& at) { return angle.value(at, start); }, decimal);
   if (is_closed_form && goes_on(named.path)) return answer;
   answer.total = decimal(angle.value(named.path.end()), "the total angle");
   if (answer.reference == Reference::frenet) return answer;

@@ -47,9 +47,18 @@ struct AngleValue {
   std::optional<std::variant<Rational, Decimal>> asked = {};
 };
 
-/// θ there, which theta(what) rounds: "theta at t = 1/2".
-PHRAME_API AngleValue angle_value(const ParameterPoint& point, ParameterKind by, long digits,
-                                  const std::function<Decimal(const std::string& what)>& theta);
+/// What is asked of θ: values of t, or of `by`, and so many samples, with so many digits.
+struct AngleValuesQuery {
+  const std::vector<Rational>& at;
+  ParameterKind by;
+  long samples;
+  long digits;
+};
+/// θ there, each rounded by decimal(θ, "theta at t = 1/2").
+PHRAME_API std::vector<AngleValue> angle_values(
+    const NamedPath& path, const AngleValuesQuery& query,
+    const std::function<Real(const Place& at)>& theta,
+    const std::function<Decimal(const Real& x, const std::string& what)>& decimal);
 
 /// The angle of the rotation-minimizing frame of a path.
 struct AngleAnswer {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,43 +15,25 @@
 #include "phrame/answer/table_row.hpp"
 
 namespace phrame::inline v0 {
-const char* name_of(TabulatedScalar kind) {
-  switch (kind) {
-    case TabulatedScalar::arc_length:
-      return "s";
-    case TabulatedScalar::curvature:
-      return "curvature";
-    case TabulatedScalar::torsion:
-      return "torsion";
-    case TabulatedScalar::frenet_rate:
-      return "frenet_rate";
-    case TabulatedScalar::bend_f2:
-      return "k1";
-    case TabulatedScalar::bend_f3:
-      return "k2";
-    case TabulatedScalar::omega_x:
-      return "omega_x";
-    case TabulatedScalar::omega_y:
-      return "omega_y";
-    case TabulatedScalar::omega_z:
-      return "omega_z";
-    case TabulatedScalar::twist_rate:
-      return "twist_rate";
-    case TabulatedScalar::twist_omega_x:
-      return "twist_omega_x";
-    case TabulatedScalar::twist_omega_y:
-      return "twist_omega_y";
-    case TabulatedScalar::twist_omega_z:
-      return "twist_omega_z";
-    case TabulatedScalar::twist_alpha_x:
-      return "twist_alpha_x";
-    case TabulatedScalar::twist_alpha_y:
-      return "twist_alpha_y";
-    case TabulatedScalar::twist_alpha_z:
-      return "twist_alpha_z";
-  }
-  return "";
-}
+constexpr std::array scalar_names{"s",
+                                  "curvature",
+                                  "torsion",
+                                  "frenet_rate",
+                                  "k1",
+                                  "k2",
+                                  "omega_x",
+                                  "omega_y",
+                                  "omega_z",
+                                  "twist_rate",
+                                  "twist_omega_x",
+                                  "twist_omega_y",
+                                  "twist_omega_z",
+                                  "twist_alpha_x",
+                                  "twist_alpha_y",
+                                  "twist_alpha_z"};
+static_assert(scalar_names.size() == static_cast<std::size_t>(TabulatedScalar::twist_alpha_z) + 1);
+
+const char* name_of(TabulatedScalar kind) { return scalar_names[static_cast<std::size_t>(kind)]; }
 
 bool has_frame(const TableColumns& columns, TabulatedFrame frame) {
   return std::find(columns.frames.begin(), columns.frames.end(), frame) != columns.frames.end();

@@ -52,13 +52,9 @@ MinimalTwistAnswer answer(const NamedPath& named, const MinimalTwistQuery& query
   if (const auto& within = mtf.half_turn_within())
     answer.half_turn_within = upper_bound_text(*within);
   answer.by = query.by;
-  for (const ParameterPoint& point :
-       Parametrization(named, query.by).points(query.at, query.samples)) {
-    const Real theta = mtf.value(point.at);
-    answer.values.push_back(
-        angle_value(point, query.by, query.digits,
-                    [&](const std::string& what) { return decimal(theta, what); }));
-  }
+  answer.values = angle_values(
+      named, {query.at, query.by, query.samples, query.digits},
+      [&](const Place& at) { return mtf.value(at); }, decimal);
   if (query.rational) add_rational(answer, mtf, *query.rational);
   return answer;
 }

@@ -31,8 +31,6 @@ class NearRows {
   NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
            const RowPlaces& places);
 
-  /// May at() give whole rows?
-  bool has_rows() const { return has_rows_; }
   /// Makes `row` row k. False where any of it is not told; what is in it then is no matter.
   bool at(std::size_t k, std::vector<double>& row) const;
 

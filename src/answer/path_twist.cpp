@@ -37,13 +37,9 @@ PathTwistAnswer answer(const NamedPath& named, const PathTwistQuery& query) {
                            within ? upper_bound_text(*within) : ""});
   }
   answer.by = query.by;
-  for (const ParameterPoint& point :
-       Parametrization(named, query.by).points(query.at, query.samples)) {
-    const Real theta = twist.value(point.at);
-    answer.values.push_back(
-        angle_value(point, query.by, query.digits,
-                    [&](const std::string& what) { return decimal(theta, what); }));
-  }
+  answer.values = angle_values(
+      named, {query.at, query.by, query.samples, query.digits},
+      [&](const Place& at) { return twist.value(at); }, decimal);
   return answer;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
@@ -98,37 +100,22 @@ void add_linking(Totals& totals, const Path& path, const Path& other) {
 
 }  // namespace
 
-const char* name_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::length:
-      return "length";
-    case Quantity::erf_twist:
-      return "twist of the ERF";
-    case Quantity::torsion:
-      return "total torsion";
-    case Quantity::curvature:
-      return "total curvature";
-    case Quantity::rotation_index:
-      return "absolute rotation index";
-    case Quantity::bending_energy:
-      return "bending energy";
-    case Quantity::frenet_energy:
-      return "energy of the Frenet frame";
-    case Quantity::up_twist:
-      return "twist of the frame of v";
-    case Quantity::holonomy:
-      return "holonomy";
-    case Quantity::closing_turn:
-      return "turn per length that closes a sweep";
-    case Quantity::writhe:
-      return "writhe";
-    case Quantity::self_linking:
-      return "self-linking number";
-    case Quantity::linking:
-      break;
-  }
-  return "linking number";
-}
+constexpr std::array quantity_names{"length",
+                                    "twist of the ERF",
+                                    "total torsion",
+                                    "total curvature",
+                                    "absolute rotation index",
+                                    "bending energy",
+                                    "energy of the Frenet frame",
+                                    "twist of the frame of v",
+                                    "holonomy",
+                                    "turn per length that closes a sweep",
+                                    "writhe",
+                                    "self-linking number",
+                                    "linking number"};
+static_assert(quantity_names.size() == static_cast<std::size_t>(Quantity::linking) + 1);
+
+const char* name_of(Quantity kind) { return quantity_names[static_cast<std::size_t>(kind)]; }
 
 TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   const Path& path = named.path;

@@ -83,9 +83,7 @@ std::string notes_text(std::string_view notes, const HelpStyle& style) {
     paragraph.clear();
   };
   while (!notes.empty()) {
-    const std::size_t end = std::min(notes.find('\n'), notes.size());
-    const std::string line(notes.substr(0, end));
-    notes.remove_prefix(std::min(end + 1, notes.size()));
+    const std::string line(take_line(notes));
     if (line.starts_with("  ")) {
       end_paragraph();
       text += line + "\n";

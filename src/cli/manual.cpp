@@ -46,9 +46,7 @@ std::string body(const std::string& notes) {
   bool is_indented = false;
   std::string_view rest = notes;
   while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::string_view line = take_line(rest);
     const bool indented = line.starts_with("  ");
     if (indented && !is_indented) page += ".PP\n.RS 4\n.nf\n";
     if (!indented && is_indented) page += ".fi\n.RE\n.PP\n";

@@ -123,6 +123,8 @@ class Command {
   bool applies(const std::string& option) const;
   /// Chooses JSON where no format is given and it has that.
   void prefer_json();
+  /// Has it the choice of a format, and is that JSON?
+  bool writes_json() const { return format_ != nullptr && *format_ == "json"; }
   /// What run() does, in the midst of others: no line says how far it is, nothing ends the program.
   void answer();
   /// Forgets what was given: the options are their defaults again.

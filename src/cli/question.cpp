@@ -182,7 +182,7 @@ std::string in_json(const Command& command, const Exchange& exchange, bool is_no
     return json.dump(-1, ' ', false, JsonOutput::error_handler_t::replace);
   };
   std::string object;
-  if (output.starts_with('{') && JsonOutput::accept(output)) {
+  if (output.starts_with('{') && (command.writes_json() || JsonOutput::accept(output))) {
     object = compact_json(output);
   } else {
     if (output.find('\0') != std::string::npos)

@@ -52,11 +52,15 @@ FrameParameters frame_parameters(const Path& path, const std::vector<GivenPositi
         "frames without a column t are placed on the curve by their positions, of "
         "which two at least are wanted");
   const std::vector<FrameParameters> all = candidates(path, positions);
+  std::vector<std::optional<Rational>> deviations;  // of the candidates, as they are asked for
   for (const long digits : {12, 9, 6, 3})
-    for (const FrameParameters& candidate : all) {
-      std::vector<GivenPosition> moved = positions;
-      for (std::size_t k = 0; k < moved.size(); ++k) moved[k].t = candidate.t[k];
-      if (are_on_curve(path, moved, power_of_ten(-digits))) return candidate;
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      if (n == deviations.size()) {
+        std::vector<GivenPosition> moved = positions;
+        for (std::size_t k = 0; k < moved.size(); ++k) moved[k].t = all[n].t[k];
+        deviations.push_back(squared_deviation(path, moved));
+      }
+      if (deviations[n] && *deviations[n] <= power_of_ten(-2 * digits)) return all[n];
     }
   throw InputError(
       "the positions of the frames are the curve's neither at its joints, nor by their "

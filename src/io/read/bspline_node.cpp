@@ -73,17 +73,21 @@ std::vector<Vector<Rational>> read_points_of_any_dimension(const JsonNode& list)
   return points;
 }
 
+long read_degree(const JsonNode& node, const CurveLimits& limits) {
+  const Rational given = node.number();
+  if (given > limits.max_degree)
+    node.fail(fmt::format("the degree {} is beyond the limit {}; --max-degree raises it",
+                          as_written(given), limits.max_degree));
+  return read_count(node, limits.max_degree, "degree");
+}
+
 std::vector<GivenSegment> bspline_segments(const JsonNode& node, const BSplineKeys& keys,
                                            const JsonNode& points,
                                            const std::optional<JsonNode>& weights,
                                            const CurveLimits& limits) {
   BSpline spline;
   const JsonNode degree = node.at(keys.degree);
-  const Rational given = degree.number();
-  if (given > limits.max_degree)
-    degree.fail(fmt::format("the degree {} is beyond the limit {}; --max-degree raises it",
-                            as_written(given), limits.max_degree));
-  spline.degree = read_count(degree, limits.max_degree, "degree");
+  spline.degree = read_degree(degree, limits);
   spline.points = read_points_of_any_dimension(points);
   const JsonNode knots = node.at(keys.knots);
   const KnotList list = read_knots(knots, node.find("multiplicities"), spline.degree);
@@ -105,12 +109,7 @@ std::vector<GivenSegment> bspline_segments(const JsonNode& node, const BSplineKe
     // Of a list without its outermost knots, too, the index is that of the list.
     fail_in(knots, fault->index ? list.index[at] : 0);
   }
-  std::vector<GivenSegment> segments;
-  for (const BezierPiece& piece : bezier_pieces(spline))
-    segments.push_back(span_segment(piece, knots.place(),
-                                    fmt::format("between the knots {} and {}",
-                                                as_written(piece.lower), as_written(piece.upper))));
-  return segments;
+  return span_segments(spline, knots.place());
 }
 
 std::vector<GivenSegment> read_bspline(const JsonNode& node, const CurveLimits& limits) {

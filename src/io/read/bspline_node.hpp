@@ -9,6 +9,9 @@ namespace phrame::inline v0 {
 /// Points of the plane, for which z = 0, or of space: all of as many coordinates as the first.
 std::vector<Vector<Rational>> read_points_of_any_dimension(const JsonNode& list);
 
+/// That of a B-spline. Throws InputError for what is no whole number from 1 to the limit.
+long read_degree(const JsonNode& node, const CurveLimits& limits);
+
 /// What a B-spline is called in a format.
 struct BSplineKeys {
   std::string degree = "degree";

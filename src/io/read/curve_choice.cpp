@@ -20,18 +20,22 @@ std::string names_of(const std::vector<CurveLabel>& labels) {
 
 }  // namespace
 
-std::size_t chosen_curve(const std::vector<CurveLabel>& labels, const std::string& pick) {
+std::size_t chosen_curve(const std::vector<CurveLabel>& labels, const std::string& pick,
+                         const std::string& place) {
+  const auto fail = [&place](const std::string& reason) {
+    throw place.empty() ? InputError(reason) : InputError(place, reason);
+  };
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < labels.size(); ++k)
     if (pick.empty() || pick == labels[k].name || pick == labels[k].id) found.push_back(k);
   if (found.empty())
-    throw InputError(
+    fail(
         fmt::format("there is no curve \"{}\"; there are {}", abbreviated(pick), names_of(labels)));
   if (found.size() > 1 && pick.empty())
-    throw InputError(fmt::format("there are {} curves, and --pick names one: {}", labels.size(),
-                                 names_of(labels)));
+    fail(fmt::format("there are {} curves, and --pick names one: {}", labels.size(),
+                     names_of(labels)));
   if (found.size() > 1)
-    throw InputError(fmt::format("{} curves are called \"{}\"", found.size(), abbreviated(pick)));
+    fail(fmt::format("{} curves are called \"{}\"", found.size(), abbreviated(pick)));
   return found.front();
 }
 

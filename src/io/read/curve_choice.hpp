@@ -13,7 +13,8 @@ struct CurveLabel {
 };
 
 /// The only curve, if none is picked; else the one with this name or id. `labels` are at least one.
-/// Throws InputError, without a place, where there is none or several, with the list of them.
-std::size_t chosen_curve(const std::vector<CurveLabel>& labels, const std::string& pick);
+/// Throws InputError, with this place, where there is none or several, with the list of them.
+std::size_t chosen_curve(const std::vector<CurveLabel>& labels, const std::string& pick,
+                         const std::string& place = "");
 
 }  // namespace phrame

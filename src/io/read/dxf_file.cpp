@@ -39,11 +39,8 @@ std::vector<DxfGroup> read_dxf_groups(std::string_view text) {
   std::vector<DxfGroup> groups;
   long number = 0;
   const auto next = [&] {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
     ++number;
-    return line;
+    return trimmed(take_line(text));
   };
   while (!text.empty()) {
     const std::string_view code = next();
@@ -507,12 +504,7 @@ std::vector<CurveLabel> drawn_labels(const std::vector<DrawnChain>& chains,
 }  // namespace
 
 bool is_dxf_file(std::string_view text) {
-  const auto take = [&] {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-  };
+  const auto take = [&] { return trimmed(take_line(text)); };
   for (std::string_view code = take(); code == "999"; code = take()) take();
   return text.size() > 0 && take() == "SECTION";
 }
@@ -529,15 +521,9 @@ PointCurve read_dxf(std::string_view text, const FileReading& reading, const Cur
         "line 1",
         fmt::format("there is no curve in the section ENTITIES{}",
                     skipped.empty() ? "" : fmt::format(": it has {}", fmt::join(skipped, ", "))));
-  const std::size_t at = [&] {
-    try {
-      return chosen_curve(drawn_labels(chains, reading.pick), reading.pick);
-    } catch (const InputError& error) {
-      throw InputError(
-          in_dxf_line(chains[std::min<std::size_t>(1, chains.size() - 1)].lines.front()),
-          error.reason());
-    }
-  }();
+  const DrawnChain& second = chains[std::min<std::size_t>(1, chains.size() - 1)];
+  const std::size_t at = chosen_curve(drawn_labels(chains, reading.pick), reading.pick,
+                                      in_dxf_line(second.lines.front()));
   PointCurve curve{"", {}};
   const auto& [pieces, knots, lines, layer, handles] = chains[at];
   for (std::size_t k = 0; k < pieces.size(); ++k)

@@ -23,19 +23,6 @@ FrameThrough::Joint read_joint(const JsonNode& node, std::size_t segments) {
 
 }  // namespace
 
-const std::vector<std::pair<std::string, TangentAxis>>& tangent_axes() {
-  static const auto axes = [] {
-    std::vector<std::pair<std::string, TangentAxis>> list;
-    for (const bool is_reversed : {false, true})
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const TangentAxis tangent{axis, is_reversed};
-        list.emplace_back(name_of(tangent), tangent);
-      }
-    return list;
-  }();
-  return axes;
-}
-
 long read_turns(const JsonNode& node) {
   const Rational turns = node.number();
   constexpr long most = 1'000'000;

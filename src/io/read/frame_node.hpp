@@ -23,9 +23,6 @@ T word_at(const JsonNode& node, const std::string& key, T otherwise,
   found->fail("\"" + abbreviated(found->string()) + "\" is none of " + list);
 }
 
-/// By their names, "x" to "-z".
-const std::vector<std::pair<std::string, TangentAxis>>& tangent_axes();
-
 /// A number of turns. Throws InputError where it is not whole, or beyond a million.
 long read_turns(const JsonNode& node);
 

@@ -52,12 +52,7 @@ std::vector<GivenSegment> read_g2(std::string_view text, const CurveLimits& limi
   }
   if (!in.at_end()) in.fail("one curve is wanted: the end is expected");
   if (const auto fault = fault_of(spline)) throw InputError("1:1", fault->reason);
-  std::vector<GivenSegment> segments;
-  for (const BezierPiece& piece : bezier_pieces(spline))
-    segments.push_back(span_segment(piece, "1:1",
-                                    fmt::format("between the knots {} and {}",
-                                                as_written(piece.lower), as_written(piece.upper))));
-  return segments;
+  return span_segments(spline, "1:1");
 }
 
 }  // namespace phrame

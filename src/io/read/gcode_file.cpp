@@ -13,6 +13,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/column_name.hpp"
 #include "phrame/io/read/curve_choice.hpp"
+#include "phrame/io/read/line_points.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/ellipse_arc.hpp"
@@ -71,11 +72,12 @@ GcodeBlock read_block(std::string_view line, long number) {
 /// G17, G18 and G19: the axes of the plane and the one across.
 constexpr std::array<std::array<std::size_t, 3>, 3> arc_planes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
 
-/// Moves between two rapid ones, or all of them.
+/// Moves between two rapid ones: those segments of the program, and the lines they are from.
 struct GcodeRun {
-  std::vector<GivenSegment> segments;
-  long first_line = 0;
-  long last_line = 0;
+  std::size_t begin;
+  std::size_t end;
+  long first_line;
+  long last_line;
 };
 
 /// Half the angle of a piece of a circle: cos² α = w₁²/(w₀w₂).
@@ -110,8 +112,8 @@ class GcodeProgram {
  public:
   explicit GcodeProgram(std::string_view text);
 
+  std::vector<GivenSegment> segments;      ///< of all moves
   std::vector<GcodeRun> runs;              ///< of other moves than rapid ones
-  GcodeRun whole;                          ///< all
   std::vector<std::string> notes() const;  ///< what was assumed
 
  private:
@@ -139,6 +141,7 @@ class GcodeProgram {
   std::array<bool, 3> is_known_{};
   std::array<bool, 3> is_used_{};
   std::optional<Rational> unit_;  ///< 1 or 254/10 times that of the program
+  bool is_in_run_ = false;
   long rapid_moves_ = 0;
   long lifted_arcs_ = 0;
   Rational off_center_;  ///< the greatest of arcs
@@ -149,10 +152,8 @@ GcodeProgram::GcodeProgram(std::string_view text) {
   std::vector<std::pair<long, GcodeBlock>> blocks;
   long number = 0;
   while (!text.empty()) {
-    const auto end = std::min(text.find('\n'), text.size());
     ++number;
-    blocks.emplace_back(number, read_block(text.substr(0, end), number));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    blocks.emplace_back(number, read_block(take_line(text), number));
   }
   for (const auto& [line, block] : blocks)
     for (const GcodeWord& word : block)
@@ -162,7 +163,7 @@ GcodeProgram::GcodeProgram(std::string_view text) {
     line_ = line;
     read(block);
   }
-  if (whole.segments.empty()) fail("the program moves along no curve");
+  if (segments.empty()) fail("the program moves along no curve");
 }
 
 void GcodeProgram::take_code(const Rational& code) {
@@ -269,7 +270,7 @@ void GcodeProgram::move(const GcodeBlock& block) {
   }
   if (motion_ == Motion::rapid) {
     if (to != here_) ++rapid_moves_;
-    if (!runs.empty() && !runs.back().segments.empty()) runs.emplace_back();
+    is_in_run_ = false;
   }
   if (motion_ == Motion::rapid || motion_ == Motion::line)
     add({{here_, to}});
@@ -284,15 +285,11 @@ void GcodeProgram::add(const RationalBezier& bezier) {
   if (std::all_of(bezier.points.begin(), bezier.points.end(),
                   [&](const auto& p) { return p == bezier.points.front(); }))
     return;
-  const auto append = [&](GcodeRun& run) {
-    if (run.segments.empty()) run.first_line = line_;
-    run.last_line = line_;
-    run.segments.push_back(bezier_segment(bezier, gcode_line(line_)));
-  };
-  append(whole);
+  segments.push_back(bezier_segment(bezier, gcode_line(line_)));
   if (motion_ == Motion::rapid) return;
-  if (runs.empty()) runs.emplace_back();
-  append(runs.back());
+  if (!std::exchange(is_in_run_, true)) runs.push_back({segments.size() - 1, 0, line_, line_});
+  runs.back().end = segments.size();
+  runs.back().last_line = line_;
 }
 
 void GcodeProgram::curve(const std::map<char, Rational>& words, const Vector<Rational>& to) {
@@ -421,8 +418,7 @@ std::vector<std::string> GcodeProgram::notes() const {
 
 /// The points behind GOTO/ and FROM/; components beyond three, of the tool's axis, are left out.
 struct GotoPoints {
-  std::vector<Vector<Rational>> points;
-  std::vector<long> lines;
+  std::vector<LinePoint> points;
   bool has_axes = false;
 };
 
@@ -438,9 +434,7 @@ GotoPoints read_goto(std::string_view text) {
   GotoPoints found;
   long number = 0;
   while (!text.empty()) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = trimmed(take_line(text));
     ++number;
     auto rest = apt_statement(line, "goto");
     if (!rest) rest = apt_statement(line, "from");
@@ -460,38 +454,17 @@ GotoPoints read_goto(std::string_view text) {
       throw InputError(gcode_line(number),
                        fmt::format("a point has three coordinates, not {}", numbers.size()));
     found.has_axes = found.has_axes || numbers.size() > 3;
-    found.points.push_back({numbers[0], numbers[1], numbers[2]});
-    found.lines.push_back(number);
+    found.points.push_back({{numbers[0], numbers[1], numbers[2]}, number});
   }
   return found;
 }
 
-/// The points as rows.
-class GotoTable : public NumberTable {
- public:
-  explicit GotoTable(GotoPoints points) : points_(std::move(points)) { names_ = {"x", "y", "z"}; }
-
-  std::string header_place() const override { return place(0); }
-  std::size_t rows() const override { return points_.points.size(); }
-  std::size_t columns() const override { return 3; }
-  std::string place(std::size_t row) const override { return gcode_line(points_.lines[row]); }
-  using NumberTable::number;
-  Rational number(std::size_t row, std::size_t column) const override {
-    return points_.points[row][column];
-  }
-  bool is_missing(std::size_t, std::size_t) const override { return false; }
-
- private:
-  GotoPoints points_;
-};
-
 PointCurve read_apt(std::string_view text, const FileReading& reading) {
-  GotoPoints points = read_goto(text);
-  if (points.points.empty()) throw InputError("line 1", "the program has no GOTO/ and no FROM/");
-  const bool has_axes = points.has_axes;
+  auto [points, has_axes] = read_goto(text);
+  if (points.empty()) throw InputError("line 1", "the program has no GOTO/ and no FROM/");
   FileReading how = reading;
   if (how.kind.empty()) how.kind = "polyline";
-  PointCurve curve = spline_through(std::make_unique<GotoTable>(std::move(points)), false, how);
+  PointCurve curve = spline_through(std::make_unique<LinePoints>(std::move(points)), false, how);
   if (has_axes) curve.notes.emplace_back("the axes of the tool are left out");
   return curve;
 }
@@ -504,12 +477,10 @@ bool is_apt(std::string_view text) {
 /// The first line that says something, without a comment.
 std::string_view first_gcode_line(std::string_view text) {
   for (;;) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
+    const std::string_view line = trimmed(take_line(text));
     const bool is_comment = line.empty() || line[0] == ';' || line[0] == '%' || line[0] == '(' ||
                             line.starts_with("$$");
-    if (!is_comment || end == text.size()) return line;
-    text.remove_prefix(end + 1);
+    if (!is_comment || text.empty()) return line;
   }
 }
 
@@ -539,15 +510,15 @@ PointCurve read_gcode(std::string_view text, const FileReading& reading) {
   }
   reading.refuse_skipping("a program of G-code");
   GcodeProgram program(text);
-  while (!program.runs.empty() && program.runs.back().segments.empty()) program.runs.pop_back();
-  if (reading.pick.empty()) return {"", std::move(program.whole.segments), program.notes()};
+  if (reading.pick.empty()) return {"", std::move(program.segments), program.notes()};
   std::vector<CurveLabel> labels;
   for (const GcodeRun& run : program.runs)
     labels.push_back({fmt::format("{}", labels.size() + 1),
                       fmt::format("lines {}-{}", run.first_line, run.last_line)});
   if (labels.empty()) throw InputError("line 1", "there are rapid moves (G0) only");
-  GcodeRun& run = program.runs[chosen_curve(labels, reading.pick)];
-  return {"", std::move(run.segments)};
+  const GcodeRun& run = program.runs[chosen_curve(labels, reading.pick)];
+  const auto first = program.segments.begin();
+  return {"", {first + static_cast<long>(run.begin), first + static_cast<long>(run.end)}};
 }
 
 }  // namespace phrame

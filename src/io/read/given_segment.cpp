@@ -1,5 +1,8 @@
 #include "phrame/io/read/given_segment.hpp"
 
+#include <fmt/format.h>
+
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/joints.hpp"
 #include "phrame/ph/curve/end_point.hpp"
@@ -39,6 +42,15 @@ GivenSegment span_segment(const BezierPiece& piece, const std::string& place,
   GivenSegment segment = bezier_segment(piece.curve, place, part);
   segment.parameters = {piece.lower, piece.upper};
   return segment;
+}
+
+std::vector<GivenSegment> span_segments(const BSpline& spline, const std::string& place) {
+  std::vector<GivenSegment> segments;
+  for (const BezierPiece& piece : bezier_pieces(spline))
+    segments.push_back(span_segment(piece, place,
+                                    fmt::format("between the knots {} and {}",
+                                                as_written(piece.lower), as_written(piece.upper))));
+  return segments;
 }
 
 std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {

@@ -33,6 +33,9 @@ GivenSegment bezier_segment(const RationalBezier& bezier, const std::string& pla
 GivenSegment span_segment(const BezierPiece& piece, const std::string& place,
                           const std::string& part = {});
 
+/// The segments between the knots of a spline without a fault. Throws as bezier_segment().
+std::vector<GivenSegment> span_segments(const BSpline& spline, const std::string& place);
+
 /// The PH curve that the segment is, or in words why it is none.
 std::variant<Curve, std::string> identify_segment(const GivenSegment& segment);
 

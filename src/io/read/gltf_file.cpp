@@ -202,13 +202,7 @@ PointCurve read_gltf(const JsonNode& node, const FileReading& reading, std::stri
   if (all.empty()) node.fail("there is no animation in the file that moves a node");
   std::vector<CurveLabel> labels;
   for (const GltfMover& mover : all) labels.push_back(mover.label);
-  const GltfMover& mover = [&]() -> const GltfMover& {
-    try {
-      return all[chosen_curve(labels, reading.pick)];
-    } catch (const InputError& error) {
-      node.fail(error.reason());
-    }
-  }();
+  const GltfMover& mover = all[chosen_curve(labels, reading.pick, node.place())];
   const JsonNode sampler = gltf_item(mover.animation, "samplers", mover.channel.at("sampler"));
   const std::string interpolation = gltf_text(sampler, "interpolation", "LINEAR");
   const bool is_cubic = interpolation == "CUBICSPLINE";

@@ -16,6 +16,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(surroundings) - begin + 1);
 }
 
+std::string_view take_line(std::string_view& text) {
+  const auto end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const auto read = text.substr(0, offset);
   const auto line = 1 + std::count(read.begin(), read.end(), '\n');

@@ -9,6 +9,9 @@ namespace phrame::inline v0 {
 /// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
+/// Takes the first line off the text, and gives it without its end.
+std::string_view take_line(std::string_view& text);
+
 /// "line:column" of the byte before `offset`, counted from 1; that of the first byte where there is
 /// none before it on its line.
 std::string line_and_column(std::string_view text, std::size_t offset);

@@ -161,9 +161,7 @@ void refuse_long_numbers(const GivenPoints& given, const std::vector<Rational>& 
 Settings read_comments(std::string_view text) {
   Settings settings;
   for (long line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string_view content = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    std::string_view content = trimmed(take_line(text));
     if (!content.starts_with('#')) continue;
     content.remove_prefix(std::min(content.find_first_not_of("# \t"), content.size()));
     const auto colon = content.find(':');

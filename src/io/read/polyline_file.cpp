@@ -8,35 +8,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_choice.hpp"
+#include "phrame/io/read/line_points.hpp"
 #include "phrame/io/read/number.hpp"
 
 namespace phrame::inline v0 {
 namespace {
-
-/// The points of a polyline, as rows.
-class VertexTable : public NumberTable {
- public:
-  struct Row {
-    Vector<Rational> point;
-    long line;
-  };
-  explicit VertexTable(std::vector<Row> rows) : rows_(std::move(rows)) { names_ = {"x", "y", "z"}; }
-
-  std::string header_place() const override { return place(0); }
-  std::size_t rows() const override { return rows_.size(); }
-  std::size_t columns() const override { return 3; }
-  std::string place(std::size_t row) const override {
-    return fmt::format("line {}", rows_[row].line);
-  }
-  using NumberTable::number;
-  Rational number(std::size_t row, std::size_t column) const override {
-    return rows_[row].point[column];
-  }
-  bool is_missing(std::size_t, std::size_t) const override { return false; }
-
- private:
-  std::vector<Row> rows_;
-};
 
 using Words = std::vector<std::string_view>;
 
@@ -48,9 +24,7 @@ class Lines {
   bool next(Words& words) {
     if (text_.empty()) return false;
     ++line_;
-    const auto end = std::min(text_.find('\n'), text_.size());
-    std::string_view rest = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
+    std::string_view rest = take_line(text_);
     words.clear();
     constexpr std::string_view blanks = " \t\r";
     for (;;) {
@@ -89,7 +63,7 @@ Rational coordinate(const Lines& in, std::string_view word) {
 
 /// Vertices and what joins them, each joint with the name of its object.
 struct Graph {
-  std::vector<VertexTable::Row> vertices;
+  std::vector<LinePoint> vertices;
   struct Edge {
     std::size_t from;
     std::size_t to;
@@ -121,7 +95,7 @@ Graph read_obj(std::string_view text) {
     if (words.empty()) continue;
     if (words[0] == "v") {
       if (words.size() < 4) in.fail("a vertex has three coordinates");
-      VertexTable::Row row{{}, in.line()};
+      LinePoint row{{}, in.line()};
       for (std::size_t c = 0; c < 3; ++c) row.point[c] = coordinate(in, words[c + 1]);
       graph.vertices.push_back(row);
     } else if ((words[0] == "o" || words[0] == "g") && words.size() > 1) {
@@ -189,7 +163,7 @@ Graph read_ply(std::string_view text) {
       if (!in.next(words))
         in.fail(fmt::format("the file ends at {} {} of {}", element.name, k, element.count));
       if (element.name == "vertex") {
-        VertexTable::Row row{{}, in.line()};
+        LinePoint row{{}, in.line()};
         for (std::size_t c = 0; c < 3; ++c)
           row.point[c] = coordinate(in, word_of(in, element, words, std::string(1, "xyz"[c])));
         graph.vertices.push_back(row);
@@ -289,10 +263,10 @@ PointCurve read_polyline(std::string_view text, const FileReading& reading) {
   const std::vector<CurveLabel> labels = labels_of(chains);
   const std::size_t at = chosen_curve(labels, reading.pick);
   const bool is_loop = chains[at].vertices.front() == chains[at].vertices.back();
-  std::vector<VertexTable::Row> rows;
+  std::vector<LinePoint> rows;
   for (const std::size_t v : chains[at].vertices) rows.push_back(graph.vertices[v]);
   PointCurve curve =
-      spline_through(std::make_unique<VertexTable>(std::move(rows)), is_loop, reading);
+      spline_through(std::make_unique<LinePoints>(std::move(rows)), is_loop, reading);
   curve.name = labels[at].name;
   return curve;
 }

@@ -70,9 +70,7 @@ Orientation read_orientation(const Node& node, FrameReading::Quaternion order, b
   return orientation_of(is_inverse ? rows : transposed(rows), node.place());
 }
 
-GivenPoints read_json(std::string_view text, const PoseReading& reading) {
-  const JsonValue document = parse_json_file(text, "file of poses");
-  const Node node(document);
+GivenPoints read_json(const Node& node, const PoseReading& reading) {
   node.require_known_keys({"phrame", "name", "note", "points", "orientations", "order",
                            "tangent_axis", "parameters", "turns", "twist"});
   require_format(node, "poses/1");
@@ -158,24 +156,33 @@ GivenPoints read_table(std::string_view bytes, const PoseReading& wanted,
   return given;
 }
 
+/// JSON that begins with a '{'; no value of another text.
+std::optional<JsonValue> object_of(std::string_view bytes) {
+  const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  if (first == std::string_view::npos || bytes[first] != '{') return std::nullopt;
+  return parse_json_file(bytes, "file of points");
+}
+
+bool are_poses(const Node& node) {
+  const auto format = node.find("phrame");
+  return format && format->is(Node::Kind::string) && format->string() == "poses/1";
+}
+
 }  // namespace
 
 bool is_pose_file(std::string_view bytes) {
-  const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-  if (first == std::string_view::npos || bytes[first] != '{') return false;
-  const JsonValue document = parse_json_file(bytes, "file of points");
-  const auto format = Node(document).find("phrame");
-  return format && format->is(Node::Kind::string) && format->string() == "poses/1";
+  const auto document = object_of(bytes);
+  return document && are_poses(Node(*document));
 }
 
 GivenPoints read_poses(std::string_view bytes, const PoseReading& poses,
                        const FileReading& reading) {
-  const bool is_json = is_pose_file(bytes);
-  if (const auto first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-      !is_json && first != std::string_view::npos && bytes[first] == '{')
+  const auto document = object_of(bytes);
+  if (document && !are_poses(Node(*document)))
     throw InputError("/phrame", "orientations are in tables and in the format \"poses/1\"");
-  if (is_json) reading.refuse_skipping("poses/1");
-  GivenPoints given = is_json ? read_json(bytes, poses) : read_table(bytes, poses, reading);
+  if (document) reading.refuse_skipping("poses/1");
+  GivenPoints given =
+      document ? read_json(Node(*document), poses) : read_table(bytes, poses, reading);
   if (poses.tangent) given.poses->tangent = *poses.tangent;
   if (!poses.turns.empty()) given.poses->turns = poses.turns;
   given.poses->is_smooth = given.poses->is_smooth || poses.is_smooth;

@@ -7,6 +7,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/io/read/bspline_node.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -44,14 +45,6 @@ Points read_columns(const JsonNode& list, bool is_by_coordinate) {
   return points;
 }
 
-long read_degree(const JsonNode& node, const CurveLimits& limits) {
-  const Rational k = node.number();
-  if (denominator(k) != 1 || k < 1 || k > limits.max_degree)
-    node.fail(fmt::format("the degree {} is no whole number from 1 to {}", as_written(k),
-                          limits.max_degree));
-  return static_cast<long>(numerator(k));
-}
-
 PointCurve read_bspline(const JsonNode& t, const JsonNode& c, const JsonNode& k, bool is_of_splprep,
                         const CurveLimits& limits) {
   BSpline spline;
@@ -71,13 +64,7 @@ PointCurve read_bspline(const JsonNode& t, const JsonNode& c, const JsonNode& k,
                        counted(spline.knots.size(), "knot"), spline.degree));
   spline.points.resize(static_cast<std::size_t>(count));
   if (const auto fault = fault_of(spline)) t.fail(fault->reason);
-  PointCurve curve;
-  for (const BezierPiece& piece : bezier_pieces(spline))
-    curve.segments.push_back(
-        span_segment(piece, t.place(),
-                     fmt::format("between the knots {} and {}", as_written(piece.lower),
-                                 as_written(piece.upper))));
-  return curve;
+  return {"", span_segments(spline, t.place())};
 }
 
 /// Σ a_k z^k on [0, 1], in the basis of Bernstein: b_i = Σ_{j ≤ i} C(i, j)/C(n, j) a_j.

@@ -441,14 +441,8 @@ PointCurve read_svg(std::string_view text, const FileReading& reading) {
     throw InputError(line_and_column(text, text.size() + 1), "the file draws no path and no shape");
   std::vector<CurveLabel> labels;
   for (const SvgDrawn& one : drawn) labels.push_back(svg_label(drawing, one));
-  const std::size_t at = [&] {
-    try {
-      return chosen_curve(labels, reading.pick);
-    } catch (const InputError& error) {
-      const std::size_t second = drawn[std::min<std::size_t>(1, drawn.size() - 1)].element->at;
-      throw InputError(line_and_column(text, second + 1), error.reason());
-    }
-  }();
+  const std::size_t second = drawn[std::min<std::size_t>(1, drawn.size() - 1)].element->at;
+  const std::size_t at = chosen_curve(labels, reading.pick, line_and_column(text, second + 1));
   return {labels[at].name, svg_outlines(text, drawn[at], true).front()};
 }
 

@@ -149,11 +149,7 @@ Segments read_three_nurbs(const JsonNode& node, const CurveLimits& limits) {
   const JsonNode list = node.at("controlPoints");
   list.require(JsonNode::Kind::array, "an array of points");
   BSpline spline;
-  const Rational degree = node.at("degree").number();
-  if (denominator(degree) != 1 || degree < 1 || degree > limits.max_degree)
-    node.at("degree").fail(fmt::format("the degree {} is no whole number from 1 to {}",
-                                       as_written(degree), limits.max_degree));
-  spline.degree = static_cast<long>(numerator(degree));
+  spline.degree = read_degree(node.at("degree"), limits);
   const JsonNode knots = node.at("knots");
   knots.require(JsonNode::Kind::array, "an array of knots");
   spline.knots = knots.numbers();
@@ -163,10 +159,7 @@ Segments read_three_nurbs(const JsonNode& node, const CurveLimits& limits) {
     spline.weights.push_back(point[3]);
   }
   if (const auto fault = fault_of(spline)) node.fail(fault->reason);
-  Segments segments;
-  for (const BezierPiece& piece : bezier_pieces(spline))
-    segments.push_back(span_segment(piece, knots.place()));
-  return segments;
+  return span_segments(spline, knots.place());
 }
 
 Segments read_three_curve(const JsonNode& node, const CurveLimits& limits);

@@ -81,13 +81,7 @@ PointCurve read_three_scene(const JsonNode& node, const CurveLimits& limits,
         "no shape");
   std::vector<CurveLabel> labels;
   for (const Candidate& candidate : all) labels.push_back(candidate.label);
-  const Candidate& found = [&]() -> const Candidate& {
-    try {
-      return all[chosen_curve(labels, reading.pick)];
-    } catch (const InputError& error) {
-      node.fail(error.reason());
-    }
-  }();
+  const Candidate& found = all[chosen_curve(labels, reading.pick, node.place())];
   return {found.label.name,
           read_three(found.curve, limits),
           {fmt::format("the curve is \"{}\", in the coordinates of its geometry",

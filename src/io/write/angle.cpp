@@ -325,6 +325,4 @@ std::string to_latex(const AngleAnswer& answer) {
 
 std::string to_json(const AngleAnswer& answer) { return pretty(json_of(answer)); }
 
-std::string to_json_line(const AngleAnswer& answer) { return json_of(answer).dump(); }
-
 }  // namespace phrame

@@ -15,7 +15,6 @@ namespace phrame::inline v0 {
 /// @{ The closed forms, or the integral, and the values: angle/1, of a spline spline-angle/1.
 PHRAME_API std::string to_text(const AngleAnswer& answer);
 PHRAME_API std::string to_json(const AngleAnswer& answer);
-PHRAME_API std::string to_json_line(const AngleAnswer& answer);  ///< on one line, without its end
 PHRAME_API std::string to_latex(const AngleAnswer& answer);
 /// @}
 /// @{ classify/1, of a spline spline-classify/1.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/text.hpp"
@@ -53,41 +54,13 @@ std::string shown(const RealBall& x) {
 }
 
 /// The name of a kind in JSON.
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::undefined:
-      return "undefined";
-    case Kind::wrong_tangent:
-      return "wrong-tangent";
-    case Kind::reversed_tangent:
-      return "reversed-tangent";
-    case Kind::left_handed:
-      return "left-handed";
-    case Kind::not_orthogonal:
-      return "not-orthogonal";
-    case Kind::not_unit:
-      return "not-unit";
-    case Kind::flip:
-      return "flip";
-    case Kind::constant_offset:
-      return "constant-offset";
-    case Kind::frenet:
-      return "frenet";
-    case Kind::euler_rodrigues:
-      return "euler-rodrigues";
-    case Kind::turned_backwards:
-      return "turned-backwards";
-    case Kind::fixed_up:
-      return "fixed-up";
-    case Kind::other_start:
-      return "other-start";
-    case Kind::drift:
-      return "drift";
-    case Kind::irregular:
-      return "irregular";
-  }
-  return "";
-}
+constexpr std::array kind_names{
+    "undefined",        "wrong-tangent", "reversed-tangent", "left-handed", "not-orthogonal",
+    "not-unit",         "flip",          "constant-offset",  "frenet",      "euler-rodrigues",
+    "turned-backwards", "fixed-up",      "other-start",      "drift",       "irregular"};
+static_assert(kind_names.size() == static_cast<std::size_t>(Kind::irregular) + 1);
+
+const char* name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 /// "(1, 0, 0)".
 std::string brief_vector(const Vector<Rational>& v) {

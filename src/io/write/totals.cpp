@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "phrame/answer/totals.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
@@ -20,37 +22,22 @@ struct Label {
   const char* symbol;  ///< in a formula of prose()
 };
 
-Label label(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::length:
-      return {"length", "∫ ds"};
-    case Quantity::erf_twist:
-      return {"erf_twist", "∫ 2h/σ\\, dt"};
-    case Quantity::torsion:
-      return {"torsion", "∫ τ\\, ds"};
-    case Quantity::curvature:
-      return {"curvature", "∫ κ\\, ds"};
-    case Quantity::rotation_index:
-      return {"rotation_index", "∫ κ\\, ds/2π"};
-    case Quantity::bending_energy:
-      return {"bending_energy", "∫ κ²\\, ds"};
-    case Quantity::frenet_energy:
-      return {"frenet_energy", "∫ (κ² + τ²)\\, ds"};
-    case Quantity::up_twist:
-      return {"up_twist", "∫ e₂′·e₃\\, dt"};
-    case Quantity::holonomy:
-      return {"holonomy", ""};
-    case Quantity::closing_turn:
-      return {"closing_turn_per_length", ""};
-    case Quantity::writhe:
-      return {"writhe", ""};
-    case Quantity::self_linking:
-      return {"self_linking", ""};
-    case Quantity::linking:
-      break;
-  }
-  return {"linking", ""};
-}
+constexpr std::array<Label, 13> labels{{{"length", "∫ ds"},
+                                        {"erf_twist", "∫ 2h/σ\\, dt"},
+                                        {"torsion", "∫ τ\\, ds"},
+                                        {"curvature", "∫ κ\\, ds"},
+                                        {"rotation_index", "∫ κ\\, ds/2π"},
+                                        {"bending_energy", "∫ κ²\\, ds"},
+                                        {"frenet_energy", "∫ (κ² + τ²)\\, ds"},
+                                        {"up_twist", "∫ e₂′·e₃\\, dt"},
+                                        {"holonomy", ""},
+                                        {"closing_turn_per_length", ""},
+                                        {"writhe", ""},
+                                        {"self_linking", ""},
+                                        {"linking", ""}}};
+static_assert(labels.size() == static_cast<std::size_t>(Quantity::linking) + 1);
+
+const Label& label(Quantity quantity) { return labels[static_cast<std::size_t>(quantity)]; }
 
 /// "twist of the ERF $∫ 2h/σ dt$".
 std::string name(const Row& row) {

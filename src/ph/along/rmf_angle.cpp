@@ -190,15 +190,4 @@ std::optional<GaussianRational> RmfAngle::direction(const Rational& t) const {
   return bend() ? z * turn(*bend(), t) : z;
 }
 
-std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {
-  const QuaternionPolynomial& preimage = curve.preimage();
-  const auto split = split_by_linear_system(preimage);
-  if (!split) return std::nullopt;
-  Antiderivative sum = integrate({-split->a, sigma(preimage)});
-  const Antiderivative bend = integrate({-split->b, rho(preimage)});
-  sum.rational = sum.rational + bend.rational;
-  sum.logs.insert(sum.logs.end(), bend.logs.begin(), bend.logs.end());
-  return sum;
-}
-
 }  // namespace phrame

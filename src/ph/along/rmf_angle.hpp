@@ -102,8 +102,4 @@ PHRAME_API RationalFunction rate_to_erf(const QuaternionPolynomial& a);
 /// −2h/σ + Im(g′/g). Throws DomainError for a straight line.
 PHRAME_API RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
 
-/// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
-/// value where that system is singular. Slow (it needs the poles of both); kept as a check.
-PHRAME_API std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve);
-
 }  // namespace phrame

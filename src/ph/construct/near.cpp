@@ -48,16 +48,31 @@ struct FineFit {
   MeasuredFit fit;
 };
 
-FineFit fine_fit(const Vector<Polynomial>& hodograph, const Vector<Rational>& start) {
+/// A fit in doubles is not the best one: that may be so many times nearer.
+const Rational most_refined(4);
+
+/// No value where the best fit is farther than that.
+std::optional<FineFit> fine_fit(const Vector<Polynomial>& hodograph, const Vector<Rational>& start,
+                                const std::optional<Rational>& most = std::nullopt) {
   if (hodograph == Vector<Polynomial>{})
     throw DomainError("PH curve nearby: the hodograph is zero, so the curve is a point");
   FineFit result{bezier_points(hodograph, start), 0, {}};
   require_near_degree(result.points.size());
   result.scale = scale_of(result.points);
   const PreimageFit guess = fit_of_points(result.points, result.scale);
-  result.fit = refined(exact_fit(guess, result.scale), FitStep(guess, FreePart::all), FreePart::all,
-                       result.scale, start, result.points);
+  const ExactFit fit = exact_fit(guess, result.scale);
+  if (most && !is_within(squared_distance(fit, start, result.points), most_refined * *most))
+    return std::nullopt;
+  result.fit = refined(fit, FitStep(guess, FreePart::all), FreePart::all, result.scale, start,
+                       result.points);
   return result;
+}
+
+/// How far the farthest control point is from the start, in one coordinate.
+Rational size_of(const BezierPoints& points) {
+  Rational size = 0;
+  for (const auto& p : points) size = std::max(size, largest(p - points.front()));
+  return size;
 }
 
 /// What make(bits) has a value of, with the fewest bits, by halving from those of the best so far;
@@ -165,7 +180,7 @@ std::optional<SplineFit> spline_fit(const std::vector<BezierPoints>& curves,
     const ExactFit fit = exact_fit(spline.segments.back(), spline.scale);
     farthest = std::max(farthest, squared_distance(fit, points.front(), points));
   }
-  const Rational within = 4 * epsilon;  // a fit in doubles is not the best one
+  const Rational within = most_refined * epsilon;
   if (!is_within(farthest, within)) return std::nullopt;
   const auto scaled_epsilon =
       static_cast<double>(Rational(epsilon * power_of_two(-2 * spline.scale)));
@@ -220,7 +235,7 @@ std::variant<NearCurve, NotNear> near_curve(const Vector<Polynomial>& hodograph,
                                             const Vector<Rational>& start,
                                             const Rational& epsilon) {
   require_positive(epsilon);
-  const FineFit fine = fine_fit(hodograph, start);
+  const FineFit fine = fine_fit(hodograph, start).value();
   if (!is_within(fine.fit.squared_distance, epsilon))
     return NotNear{square_root_above(fine.fit.squared_distance)};
   const MeasuredFit found = shortest(fine, epsilon);
@@ -238,11 +253,12 @@ std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograp
   const Rational least_share(1, 1000);
   for (const Polynomial& p : hodograph)
     if (p.degree() >= most_degree) return std::nullopt;
-  const FineFit fine = fine_fit(hodograph, start);
-  const Rational distance = square_root_above(fine.fit.squared_distance);
-  Rational size = 0;
-  for (const auto& p : fine.points) size = std::max(size, largest(p - start));
-  if (distance == 0 || distance > least_share * size) return std::nullopt;
+  const Rational size = size_of(bezier_points(hodograph, start));
+  const Rational most = least_share * size;
+  const auto fine = fine_fit(hodograph, start, most);
+  if (!fine) return std::nullopt;
+  const Rational distance = square_root_above(fine->fit.squared_distance);
+  if (distance == 0 || distance > most) return std::nullopt;
   // A curve that is PH over ℝ has PH curves over ℚ as near as one likes.
   const Rational enough = power_of_ten(decimal_exponent(size) - 30);
   if (10 * distance < enough) return NearSuggestion{enough, enough / 10};

@@ -62,6 +62,19 @@ std::string name_of(const TangentAxis& axis) {
   return std::string(axis.is_reversed ? "-" : "") + "xyz"[axis.axis];
 }
 
+const std::vector<std::pair<std::string, TangentAxis>>& tangent_axes() {
+  static const auto axes = [] {
+    std::vector<std::pair<std::string, TangentAxis>> list;
+    for (const bool is_reversed : {false, true})
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const TangentAxis tangent{axis, is_reversed};
+        list.emplace_back(name_of(tangent), tangent);
+      }
+    return list;
+  }();
+  return axes;
+}
+
 std::optional<Orientation> nearest_rotation(const std::array<Vector<Rational>, 3>& columns) {
   if (!is_orthonormal(columns, Rational(1, 100))) return std::nullopt;
   if (is_orthonormal(columns, 0)) return Orientation{quaternion_of(columns), 0};

@@ -2,6 +2,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "phrame/algebra/angle.hpp"
 #include "phrame/export.hpp"
@@ -19,6 +21,8 @@ struct TangentAxis {
 
 /// "x" to "-z".
 PHRAME_API std::string name_of(const TangentAxis& axis);
+/// All six by their names.
+PHRAME_API const std::vector<std::pair<std::string, TangentAxis>>& tangent_axes();
 
 /// How a body lies, over ℚ: the rotation v ↦ P v P*/|P|², P ≠ 0 of any length, that takes x, y, z
 /// to its axes.

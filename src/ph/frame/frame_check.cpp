@@ -125,8 +125,8 @@ bool are_along_curve(const Path& path, const std::vector<GivenFrame>& frames,
   });
 }
 
-bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
-                  const Rational& tolerance) {
+std::optional<Rational> squared_deviation(const Path& path,
+                                          const std::vector<GivenPosition>& positions) {
   std::optional<Vector<Rational>> start;
   Rational farthest;  // squared, as is
   Rational worst;
@@ -138,7 +138,14 @@ bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
     farthest = std::max(farthest, dot(way, way));
     worst = std::max(worst, dot(off, off));
   }
-  return farthest > 0 && worst <= tolerance * tolerance * farthest;
+  if (farthest == 0) return std::nullopt;
+  return worst / farthest;
+}
+
+bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
+                  const Rational& tolerance) {
+  const auto found = squared_deviation(path, positions);
+  return found && *found <= tolerance * tolerance;
 }
 
 }  // namespace phrame

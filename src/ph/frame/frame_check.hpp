@@ -27,9 +27,12 @@ struct GivenPosition {
   Vector<Rational> r;  ///< the place
 };
 
-/// Are these positions on the curve, but for one translation, which takes the first to its place?
-/// To within the tolerance times the way from the first to the farthest. Where all are one place,
-/// the answer is no. Numbers are as those of are_along_curve().
+/// How far the positions are off the curve, but for one translation, which takes the first to its
+/// place: over the way from the first to the farthest, squared. No value where all are one place.
+/// Numbers are as those of are_along_curve().
+PHRAME_API std::optional<Rational> squared_deviation(const Path& path,
+                                                     const std::vector<GivenPosition>& positions);
+/// Is that at most the square of the tolerance? Not where it has no value.
 PHRAME_API bool are_on_curve(const Path& path, const std::vector<GivenPosition>& positions,
                              const Rational& tolerance);
 

@@ -30,6 +30,19 @@ std::string fifty(const RmfAngle& angle, const Rational& t) {
   return round_to_decimal(angle.value(t), 50).value;
 }
 
+/// θ_Frenet as the paper finds it: −∫a/σ − ∫b/ρ with a and b from the linear system of (15). No
+/// value where that system is singular.
+std::optional<Antiderivative> frenet_angle_by_linear_system(const Curve& curve) {
+  const QuaternionPolynomial& preimage = curve.preimage();
+  const auto split = split_by_linear_system(preimage);
+  if (!split) return std::nullopt;
+  Antiderivative sum = integrate({-split->a, sigma(preimage)});
+  const Antiderivative bend = integrate({-split->b, rho(preimage)});
+  sum.rational = sum.rational + bend.rational;
+  sum.logs.insert(sum.logs.end(), bend.logs.begin(), bend.logs.end());
+  return sum;
+}
+
 }  // namespace
 
 TEST_CASE("angle: the quintic of Farouki 2003 at eleven points, in both frames") {
