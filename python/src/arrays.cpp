@@ -1,6 +1,5 @@
 #include "arrays.hpp"
 
-#include "frame_source.hpp"
 #include "paths.hpp"
 
 namespace phrame::inline v0::python {
@@ -38,10 +37,9 @@ struct ArrayQuery {
   Roll roll = {};     ///< by which frames are turned about e₁ beside
 };
 
-/// A place on a path with its frame, which a source computes when it is asked for.
-template <class Source>
+/// A place on a path with its frame, which the source computes when it is asked for.
 struct SourcePlace {
-  const Source& source;
+  const FrameSource& source;
   const Parameters& at;
   std::size_t k;
 
@@ -67,21 +65,37 @@ bool is_linear(ParameterKind by) {
   return by == ParameterKind::native || by == ParameterKind::unit;
 }
 
-/// The numbers that write(place, out) writes for each place, by this source.
-template <class Source, class Write>
-Numbers by_source(const std::shared_ptr<Source>& source, const At& at, const ArrayQuery& asked,
-                  std::size_t grain, const Write& write) {
+/// The numbers that write(place, out) writes for each place.
+template <class Write>
+Numbers numbers_of(const PathObject& self, const At& at, const ArrayQuery& asked, bool is_to_up,
+                   const Write& write) {
+  const Path& path = self.named.path;
+  const bool is_by_t = asked.by == ParameterKind::t;
+  if (is_by_t && (is_to_up || !goes_on(path))) require_inside(*at, path.end(), asked.ts);
+  const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
+                                      path, is_to_up ? Reference::up : Reference::euler_rodrigues);
+  const bool has_start = asked.kind == TabulatedFrame::rmf;
+  FrameQuery query{asked.kind, has_start ? from : FrameStart(), is_to_up, {}, asked.by};
+  if (!asked.up.is_none()) query.up = vector(asked.up, "up");
+  const auto source = self.sources->of(query, [&] {
+    std::optional<PathAngle> angle;
+    if (is_to_up && asked.kind)
+      angle.emplace(angle_to_up(path, asked.up));
+    else if (has_start)
+      angle.emplace(without_gil([path] { return PathAngle(path); }));
+    return std::make_shared<FrameSource>(parametrization(self.named, asked.by), asked.kind, angle,
+                                         has_start ? start_angle(from, *angle) : StartAngle());
+  });
   const auto numbers = std::make_shared<DoubleArray>(at->size() * asked.width);
   return filled(
-      numbers, asked.progress, source, at, grain,
-      [source, at, numbers, width = asked.width, write](std::size_t from, std::size_t to) {
-        for (std::size_t k = from; k < to; ++k)
-          write(SourcePlace<Source>{*source, *at, k}, numbers->data() + k * width);
+      numbers, asked.progress, source, at, at->are_doubles() && is_by_t ? many : 4,
+      [source, at, numbers, width = asked.width, write](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+          write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
       });
 }
 
-/// The same from tables by this angle: along PH curves where these are not the t of places, and of
-/// frames that have no source.
+/// The same from tables by this angle: of frames that the source does not have.
 template <class Write>
 Numbers by_table(const PathObject& self, const PathAngle& angle, TableColumns columns, const At& at,
                  const ArrayQuery& asked, const Write& write) {
@@ -137,53 +151,6 @@ Numbers tabulated_numbers(const PathObject& self, bool is_general, const At& at,
   return by_table(self, angle, std::move(columns), at, asked, write);
 }
 
-/// Along PH curves, where angles are to the Euler–Rodrigues frame.
-template <class Write>
-Numbers closed_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
-                       const Write& write) {
-  const PhPath& path = self.ph->path;
-  const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
-                                      self.named.path, Reference::euler_rodrigues);
-  if (asked.by != ParameterKind::t) {
-    TableColumns columns{.frames = {asked.kind.value_or(TabulatedFrame::euler_rodrigues)}};
-    columns.start = from;
-    return by_table(self, PathAngle(self.named.path), std::move(columns), at, asked, write);
-  }
-  if (!path.is_curve()) require_inside(*at, path.end(), asked.ts);
-  const bool has_start = asked.kind == TabulatedFrame::rmf;
-  const auto source = self.sources->closed.of({asked.kind, has_start ? from : FrameStart()}, [&] {
-    return std::make_shared<FrameSource>(path, asked.kind,
-                                         has_start ? start_angle(from, path) : FrameAngle());
-  });
-  return by_source(source, at, asked, at->are_doubles() ? many : 16, write);
-}
-
-/// Along curves of any kind, where angles are to the frame of a vector.
-template <class Write>
-Numbers general_numbers(const PathObject& self, const At& at, const ArrayQuery& asked,
-                        const Write& write) {
-  const Path& path = self.named.path;
-  const bool is_by_t = asked.by == ParameterKind::t;
-  if (is_by_t) require_inside(*at, path.end(), asked.ts);
-  GeneralFrames frames{asked.kind, {}, {}, asked.by};
-  if (asked.kind)
-    frames.start = asked_start(asked.start, asked.start_normal, StartRule::least_rotation, "up");
-  if (!asked.up.is_none()) frames.up = vector(asked.up, "up");
-  const auto source = self.sources->general.of(frames, [&] {
-    std::optional<PathAngle> angle;
-    StartAngle start;
-    if (asked.kind) {
-      angle.emplace(angle_to_up(path, asked.up));
-      start = start_angle(frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
-                                      path, Reference::up),
-                          *angle);
-    }
-    return std::make_shared<GeneralSource>(parametrization(self.named, asked.by), angle, asked.kind,
-                                           start);
-  });
-  return by_source(source, at, asked, at->are_doubles() && is_by_t ? many : 4, write);
-}
-
 /// An array of these numbers for each place.
 template <class Write>
 nb::object array_of(const PathObject& self, ArrayQuery asked, const std::vector<std::size_t>& shape,
@@ -198,11 +165,9 @@ nb::object array_of(const PathObject& self, ArrayQuery asked, const std::vector<
   if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
   const bool is_general =
       is_erf ? !self.ph : asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start);
-  const bool is_mtf = asked.kind == TabulatedFrame::exact_mtf;
-  const bool is_tabulated = is_mtf || !asked.roll.is_zero();
+  const bool is_tabulated = asked.kind == TabulatedFrame::exact_mtf || !asked.roll.is_zero();
   const Numbers numbers = is_tabulated ? tabulated_numbers(self, is_general, at, asked, write)
-                          : is_general ? general_numbers(self, at, asked, write)
-                                       : closed_numbers(self, at, asked, write);
+                                       : numbers_of(self, at, asked, is_general, write);
   if (asked.width == 4 && (is_tabulated || is_general || asked.by != ParameterKind::t ||
                            asked.kind == TabulatedFrame::frenet))
     make_continuous(*numbers);

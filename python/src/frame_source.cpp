@@ -20,74 +20,99 @@ std::pair<std::size_t, double> place_at(double t, std::size_t segments) {
   return {k, t - static_cast<double>(k)};  // without rounding: t/2 <= k <= t, or k = 0 [Sterbenz]
 }
 
-FrameSource::Segment::Segment(const Curve& curve, FrameKind kind)
-    : position(phrame::position(curve)),
-      rounded{RoundedPolynomial(position[0]), RoundedPolynomial(position[1]),
-              RoundedPolynomial(position[2])},
-      frames(curve),
-      preimage(without_real_content(curve.preimage())),
-      normal(Polynomial{1}) {
-  if (kind != TabulatedFrame::frenet) return;
-  const GaussianPolynomial g = bend_numerator(preimage);
-  normal = RoundedPolynomial(gcd(g.re, g.im));
+namespace {
+
+std::optional<RoundedPoint> rounded_point(const Segment& segment) {
+  const auto of = [](const Vector<Polynomial>& r) {
+    return RoundedPoint{RoundedPolynomial(r[0]), RoundedPolynomial(r[1]), RoundedPolynomial(r[2])};
+  };
+  if (const Curve* ph = ph_curve(segment)) return of(position(*ph));
+  const RationalCurve* curve = rational_curve(segment);
+  if (curve == nullptr || !curve->weight().is_constant()) return std::nullopt;
+  return of(Polynomial{1 / curve->weight().coefficient(0)} * curve->numerator());
 }
 
-FrameSource::FrameSource(PhPath path, FrameKind kind, const FrameAngle& start)
-    : path_(std::move(path)), kind_(kind), start_(start) {
+}  // namespace
+
+FrameSource::FrameSource(Parametrization along, FrameKind kind, std::optional<PathAngle> angle,
+                         StartAngle start)
+    : along_(std::move(along)),
+      kind_(kind),
+      angle_(std::move(angle)),
+      start_(std::move(start)),
+      is_of_ph_(path().is_ph() && (!angle_ || angle_->reference() == Reference::euler_rodrigues)) {
   start_.value = cached(start_.value);
 }
 
+bool FrameSource::are_by_preimage() const {
+  return is_of_ph_ && (kind_ == TabulatedFrame::rmf || kind_ == TabulatedFrame::euler_rodrigues);
+}
+
+Place FrameSource::place(const Parameters& at, std::size_t k) const {
+  return at_place("ts[" + std::to_string(k) + "]", [&] { return along_.point(at[k]).at; });
+}
+
+std::optional<double> FrameSource::near_parameter(const Parameters& at, std::size_t k) const {
+  if (!at.are_doubles() || along_.kind() != ParameterKind::t) return std::nullopt;
+  return at.doubles[k];
+}
+
 void FrameSource::make() {
-  if (kind_ == TabulatedFrame::rmf) angle_.emplace(path_);
-  segments_.clear();
-  for (const Curve& curve : path_.segments()) {
-    Segment& segment = segments_.emplace_back(curve, kind_);
-    if (segments_.size() == 1) continue;
-    const Segment& before = segments_[segments_.size() - 2];
-    segment.sign = before.sign * joint_sign(before.preimage, segment.preimage);
+  pieces_.clear();
+  for (const Segment& segment : path().segments()) {
+    Piece& piece = pieces_.emplace_back();
+    piece.rounded = rounded_point(segment);
+    if (!is_of_ph_) continue;
+    piece.preimage = std::get<PhSegment>(segment).primitive_preimage();
+    if (kind_ == TabulatedFrame::frenet) {
+      const GaussianPolynomial g = bend_numerator(piece.preimage);
+      piece.normal = RoundedPolynomial(gcd(g.re, g.im));
+    }
+    if (pieces_.size() == 1) continue;
+    const Piece& before = pieces_[pieces_.size() - 2];
+    piece.sign = before.sign * joint_sign(before.preimage, piece.preimage);
   }
-  if (kind_ == TabulatedFrame::rmf || kind_ == TabulatedFrame::euler_rodrigues) make_zeros();
+  if (are_by_preimage()) make_zeros();
 }
 
 // B is A/|A| as long as θ + start is 0; then (u + vi)·e^{iφ} has a part that is 0 where both are.
 void FrameSource::make_zeros() {
   bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_.exact == FrameAngle();
-  for (std::size_t k = 0; k < segments_.size(); ++k) {
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
     is_erf = is_erf &&
              (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->rate().is_zero());
-    const auto& [u, v, p, q] = segments_[k].preimage;
+    const auto& [u, v, p, q] = pieces_[k].preimage;
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
-    segments_[k].zeros = {is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
-                          is_erf ? p.is_zero() : pq, is_erf ? q.is_zero() : pq};
+    pieces_[k].zeros = {is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
+                        is_erf ? p.is_zero() : pq, is_erf ? q.is_zero() : pq};
   }
 }
 
 void FrameSource::compile(std::size_t k, double from, double to) {
-  Segment& segment = segments_[k];
-  const Curve& curve = path_.segments()[k];
-  const auto origin = static_cast<double>(k);
+  Piece& piece = pieces_[k];
+  const Curve* curve = ph_curve(path().segments()[k]);
   try {
-    if (kind_ == TabulatedFrame::rmf && path_.is_curve())
-      compiled_.emplace_back(curve, *angle_->closed_form(0), from, to, *start_.exact);
+    if (kind_ == TabulatedFrame::rmf && is_of_ph_ && goes_on(path()))
+      compiled_.emplace_back(*curve, *angle_->closed_form(0), from, to, *start_.exact);
     else if (kind_ == TabulatedFrame::rmf)
       compiled_.emplace_back(*angle_, k, start_);
     else
       compiled_.emplace_back(
-          curve,
+          *curve,
           kind_ == TabulatedFrame::euler_rodrigues ? Reference::euler_rodrigues : Reference::frenet,
-          from, to, origin);
-    segment.compiled = &compiled_.back();
+          from, to, static_cast<double>(k));
+    piece.compiled = &compiled_.back();
   } catch (const Undecided&) {
-    segment.is_undecided = true;  // all frames are computed exactly
+    piece.is_undecided = true;  // all frames are computed exactly
   } catch (const DomainError&) {
-    segment.is_undecided = true;  // of a straight line, as each frame says
+    piece.is_undecided = true;  // of a straight line, as each frame says
   }
 }
 
 /// A curve goes on for all t: it is compiled where it is asked for.
 void FrameSource::prepare_curve(const std::vector<double>& ts) {
-  Segment& only = segments_.front();
+  Piece& only = pieces_.front();
   only.asked += ts.size();
   if (only.asked < least_of_frames) return;
   const auto [from, to] = std::minmax_element(ts.begin(), ts.end());
@@ -102,32 +127,36 @@ void FrameSource::prepare(const Parameters& at) {
   const std::lock_guard guard(lock_);
   if (!is_made_) make();
   is_made_ = true;
-  if (!at.are_doubles() || !kind_) return;
-  if (path_.is_curve()) {
+  if (!at.are_doubles() || along_.kind() != ParameterKind::t || !kind_ ||
+      (!is_of_ph_ && kind_ != TabulatedFrame::rmf))
+    return;
+  if (is_of_ph_ && goes_on(path())) {
     prepare_curve(at.doubles);
     return;
   }
+  const std::size_t least = is_of_ph_ ? least_of_frames : least_compiled;
   for (const double t : at.doubles) {
-    const std::size_t k = place_at(t, segments_.size()).first;
-    Segment& segment = segments_[k];
-    if (++segment.asked < least_of_frames || segment.compiled || segment.is_undecided) continue;
+    const std::size_t k = place_at(t, pieces_.size()).first;
+    Piece& piece = pieces_[k];
+    if (++piece.asked < least || piece.compiled || piece.is_undecided) continue;
     compile(k, static_cast<double>(k), static_cast<double>(k + 1));
   }
 }
 
-const CompiledFrames* FrameSource::compiled_at(double t, const Segment& segment) const {
-  const CompiledFrames* compiled = segment.compiled;
+const CompiledFrames* FrameSource::compiled_at(double t, const Piece& piece) const {
+  const CompiledFrames* compiled = piece.compiled;
   return compiled != nullptr && compiled->from() <= t && t <= compiled->to() ? compiled : nullptr;
 }
 
 bool FrameSource::is_prepared(const Parameters& at) const {
-  if (!is_made_ || !at.are_doubles()) return false;
+  if (!is_made_ || !at.are_doubles() || along_.kind() != ParameterKind::t) return false;
   constexpr std::size_t few = 4;
-  const bool are_few = at.size() <= few && kind_ != TabulatedFrame::frenet;
+  const bool are_few = at.size() <= few && are_by_preimage();
   const auto is_ready = [&](double t) {
-    const Segment& segment = segments_[place_at(t, segments_.size()).first];
-    if (!kind_ || compiled_at(t, segment) != nullptr) return true;
-    return are_few && (segment.is_undecided || ++segment.asked < least_of_frames);
+    const Piece& piece = pieces_[place_at(t, pieces_.size()).first];
+    if (!kind_) return piece.rounded.has_value();
+    if (compiled_at(t, piece) != nullptr) return true;
+    return are_few && (piece.is_undecided || ++piece.asked < least_of_frames);
   };
   return std::all_of(at.doubles.begin(), at.doubles.end(), is_ready);
 }
@@ -135,11 +164,11 @@ bool FrameSource::is_prepared(const Parameters& at) const {
 // Frenet's n is on the side of the real factor of g; where that is 0, at inflections, the frame
 // asked for exactly says so.
 std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
-  const auto [number, here] = place_at(t, segments_.size());
-  const Segment& segment = segments_[number];
-  const CompiledFrames* compiled = compiled_at(t, segment);
+  const auto [number, here] = place_at(t, pieces_.size());
+  const Piece& piece = pieces_[number];
+  const CompiledFrames* compiled = compiled_at(t, piece);
   if (compiled == nullptr) return std::nullopt;
-  const double side = kind_ == TabulatedFrame::frenet ? segment.normal(here) : 1;
+  const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : 1;
   auto frame = side == 0 ? std::nullopt : compiled->rounded(t);
   if (frame && side < 0)
     for (Vector<double>* v : {&frame->e2, &frame->e3})
@@ -148,48 +177,48 @@ std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
 }
 
 Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
-  if (at.are_doubles())
-    if (const auto found = approximated_frame(at.doubles[k])) return *found;
-  const PathParameter here = locate(path_, at[k]);
-  if (kind_ != TabulatedFrame::frenet)
-    if (const auto found = rounded_frame(ball_at(here))) return *found;
-  const Frames& frames = segments_[here.segment].frames;
-  const Frame<Real> exact = [&] {
-    if (kind_ == TabulatedFrame::frenet) return frames.frenet(here.t);
-    const Frame<Rational> erf = frames.euler_rodrigues(here.t);
-    if (kind_ == TabulatedFrame::euler_rodrigues) return as_real(erf);
-    return turned(
-        erf, angle_->direction(here),
-        [&](const FrameAngle& start) { return angle_->value(here, start); }, *start_.exact);
-  }();
+  if (const auto t = near_parameter(at, k))
+    if (const auto found = approximated_frame(*t)) return *found;
+  const Place here = place(at, k);
+  if (const auto b = ball_at(here))
+    if (const auto found = rounded_frame(*b)) return *found;
+  const Frame<Real> exact = exact_frame(here);
   return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
 }
 
-Quaternion<RealBall> FrameSource::ball_at(const PathParameter& at) const {
-  const RealBall theta =
-      kind_ == TabulatedFrame::rmf ? angle_->enclose(Place{at}, start_, rotation_bits) : RealBall();
-  const Segment& segment = segments_[at.segment];
-  return rotation_ball(segment.preimage, at.t, theta, segment.sign);
+Frame<Real> FrameSource::exact_frame(const Place& at) const {
+  if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, at, start_);
+  if (kind_ == TabulatedFrame::frenet) return frenet_frame(path(), at);
+  if (kind_ == TabulatedFrame::euler_rodrigues) return euler_rodrigues_frame(path(), at);
+  return up_frame(path(), angle_->up(), at);
 }
 
-std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
-  if (kind_ == TabulatedFrame::frenet) {
-    const Quaternion<Real> found = quaternion_of(segments_[at.segment].frames.frenet(at.t));
+std::optional<Quaternion<RealBall>> FrameSource::ball_at(const Place& at) const {
+  if (!are_by_preimage() || !at.t.exact()) return std::nullopt;
+  const RealBall theta =
+      kind_ == TabulatedFrame::rmf ? angle_->enclose(at, start_, rotation_bits) : RealBall();
+  const Piece& piece = pieces_[at.segment];
+  return rotation_ball(piece.preimage, *at.t.exact(), theta, piece.sign);
+}
+
+std::array<Real, 4> FrameSource::rotation(const Place& at) const {
+  if (!are_by_preimage() || !at.t.exact()) {
+    const Quaternion<Real> found = quaternion_of(exact_frame(at));
     return {found.u, found.v, found.p, found.q};
   }
-  const Segment& segment = segments_[at.segment];
-  const Rational& t = at.t;
+  const Piece& piece = pieces_[at.segment];
+  const Rational& t = *at.t.exact();
   const Real theta =
       kind_ == TabulatedFrame::euler_rodrigues ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
-    RationalQuaternion a = evaluate(segment.preimage, t);
-    if (segment.sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
+    RationalQuaternion a = evaluate(piece.preimage, t);
+    if (piece.sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
     const Real over_size = square_root_of(1 / norm(a));
     return {over_size * a.u, over_size * a.v, over_size * a.p, over_size * a.q};
   }
   const auto component = [&](RealBall Quaternion<RealBall>::*part) {
-    return Real([=, &segment = segment](long bits) {
-      return rotation_ball(segment.preimage, t, theta.enclose(bits), segment.sign, bits).*part;
+    return Real([=, &piece = piece](long bits) {
+      return rotation_ball(piece.preimage, t, theta.enclose(bits), piece.sign, bits).*part;
     });
   };
   using Ball = Quaternion<RealBall>;
@@ -198,13 +227,13 @@ std::array<Real, 4> FrameSource::rotation(const PathParameter& at) const {
 
 /// Of Frenet's frame up to its sign.
 std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(double t) const {
-  const auto [number, here] = place_at(t, segments_.size());
-  const Segment& segment = segments_[number];
-  const CompiledFrames* compiled = compiled_at(t, segment);
+  const auto [number, here] = place_at(t, pieces_.size());
+  const Piece& piece = pieces_[number];
+  const CompiledFrames* compiled = compiled_at(t, piece);
   if (compiled == nullptr) return std::nullopt;
   auto found = compiled->rotation(t);
   const auto [u, v, p, q] = found.b;
-  const double side = kind_ == TabulatedFrame::frenet ? segment.normal(here) : segment.sign;
+  const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : piece.sign;
   if (side == 0) return std::nullopt;
   const auto minus = [](const DoubleDouble& x) { return DoubleDouble{-x.high, -x.low}; };
   if (side < 0 && kind_ == TabulatedFrame::frenet)
@@ -215,37 +244,40 @@ std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(doubl
 }
 
 std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t k) const {
-  const PathParameter here = locate(path_, at[k]);
+  const auto t = near_parameter(at, k);
+  const auto found = t ? approximated_rotation(*t) : std::nullopt;
+  std::optional<Place> here;
+  if (!found) here = place(at, k);
   std::array<std::optional<double>, 4> near;
-  const auto found = at.are_doubles() ? approximated_rotation(at.doubles[k]) : std::nullopt;
   if (found) {
     const auto& [u, v, p, q] = found->b;
     for (std::size_t i = 0; i < 4; ++i)
       near[i] = common_double(std::array{u, v, p, q}[i], found->error + 0x1p-94);
-  } else if (kind_ != TabulatedFrame::frenet) {
-    const auto& [u, v, p, q] = ball_at(here);
+  } else if (const auto ball = ball_at(*here)) {
+    const auto& [u, v, p, q] = *ball;
     for (std::size_t i = 0; i < 4; ++i) near[i] = common_double(std::array{u, v, p, q}[i]);
   }
-  const std::array<bool, 4>& zeros = segments_[here.segment].zeros;
+  const std::size_t segment = here ? here->segment : place_at(*t, pieces_.size()).first;
   for (std::size_t i = 0; i < 4; ++i)
-    if (zeros[i]) near[i] = 0;
+    if (pieces_[segment].zeros[i]) near[i] = 0;
   const auto is_known = [](const std::optional<double>& x) { return x.has_value(); };
   if (!std::all_of(near.begin(), near.end(), is_known)) {
-    const std::array<Real, 4> exact = rotation(here);
+    const std::array<Real, 4> exact = rotation(here ? *here : place(at, k));
     for (std::size_t i = 0; i < 4; ++i)
-      if (!near[i] || kind_ == TabulatedFrame::frenet) near[i] = round_to_double(exact[i]);
+      if (!near[i] || !are_by_preimage()) near[i] = round_to_double(exact[i]);
   }
   return {*near[1], *near[2], *near[3], *near[0]};
 }
 
 Vector<double> FrameSource::point(const Parameters& at, std::size_t k) const {
-  if (at.are_doubles()) {
-    const auto [segment, t] = place_at(at.doubles[k], segments_.size());
-    const auto& [x, y, z] = segments_[segment].rounded;
-    return finite(Vector<double>{x(t), y(t), z(t)});
+  if (const auto near = near_parameter(at, k)) {
+    const auto [segment, t] = place_at(*near, pieces_.size());
+    if (const auto& rounded = pieces_[segment].rounded) {
+      const auto& [x, y, z] = *rounded;
+      return finite(Vector<double>{x(t), y(t), z(t)});
+    }
   }
-  const PathParameter here = locate(path_, at[k]);
-  return finite(round_to_double(evaluate(segments_[here.segment].position, here.t)));
+  return finite(round_to_double(position(path(), place(at, k))));
 }
 
 }  // namespace phrame::python

@@ -20,12 +20,25 @@ std::pair<std::size_t, double> place_at(double t, std::size_t segments);
 /// None is points only.
 using FrameKind = std::optional<TabulatedFrame>;
 
-/// The frames of a path of PH curves, each as exactly as rounding wants, and their unit
-/// quaternions. A segment is compiled when it has been asked for often enough; what is found is
-/// kept for later calls, which may come from any thread.
+/// What frames of a path are asked for.
+struct FrameQuery {
+  FrameKind kind;
+  FrameStart start;  ///< of rotation-minimizing ones
+  bool is_to_up;     ///< are angles to the frame of a vector, also where the path is of PH curves?
+  std::optional<Vector<Rational>> up;
+  ParameterKind by;
+  friend bool operator==(const FrameQuery&, const FrameQuery&) = default;
+};
+
+/// The frames and points of a path, each as exactly as rounding wants, and the unit quaternions of
+/// the frames. Where t is asked for, a segment is compiled when that was often enough; what is
+/// found is kept for later calls, which may come from any thread.
 class FrameSource {
  public:
-  FrameSource(PhPath path, FrameKind kind, const FrameAngle& start);
+  /// The angle is needed for rotation-minimizing frames, and for those of its vector. Of PH curves
+  /// angles are to the Euler–Rodrigues frame, if there is no other angle.
+  FrameSource(Parametrization along, FrameKind kind, std::optional<PathAngle> angle,
+              StartAngle start);
 
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
@@ -34,33 +47,42 @@ class FrameSource {
   bool is_prepared(const Parameters& at) const;
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
-  /// (x, y, z, w); of a Frenet frame up to its sign.
+  /// (x, y, z, w), up to its sign but for rotation-minimizing and Euler–Rodrigues frames of PH
+  /// curves.
   std::array<double, 4> quaternion(const Parameters& at, std::size_t k) const;
   Vector<double> point(const Parameters& at, std::size_t k) const;
 
  private:
-  struct Segment;
+  struct Piece;
 
+  const Path& path() const { return along_.path(); }
+  /// Are frames B i B*, B j B*, B k B* with a B that is known?
+  bool are_by_preimage() const;
+  Place place(const Parameters& at, std::size_t k) const;
+  /// The parameter as that of compiled pieces.
+  std::optional<double> near_parameter(const Parameters& at, std::size_t k) const;
   void make();
   void make_zeros();
   void compile(std::size_t k, double from, double to);
   void prepare_curve(const std::vector<double>& ts);
-  const CompiledFrames* compiled_at(double t, const Segment& segment) const;
+  const CompiledFrames* compiled_at(double t, const Piece& piece) const;
   std::optional<Frame<double>> approximated_frame(double t) const;
   std::optional<CompiledFrames::Rotation> approximated_rotation(double t) const;
-  /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of a Frenet
-  /// frame up to its sign.
-  std::array<Real, 4> rotation(const PathParameter& at) const;
-  /// The same by balls, but of no Frenet frame.
-  Quaternion<RealBall> ball_at(const PathParameter& at) const;
+  Frame<Real> exact_frame(const Place& at) const;
+  /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of other frames
+  /// up to its sign.
+  std::array<Real, 4> rotation(const Place& at) const;
+  /// The same by balls; no value of other frames.
+  std::optional<Quaternion<RealBall>> ball_at(const Place& at) const;
 
-  PhPath path_;
+  Parametrization along_;
   FrameKind kind_;
-  StartAngle start_;  ///< exact
   std::optional<PathAngle> angle_;
+  StartAngle start_;
+  bool is_of_ph_;    ///< PH curves, with angles to the Euler–Rodrigues frame
   std::mutex lock_;  ///< while something is made or compiled
   std::atomic<bool> is_made_{false};
-  std::deque<Segment> segments_;
+  std::deque<Piece> pieces_;
   std::deque<CompiledFrames> compiled_;  ///< which do not move
 };
 
@@ -83,21 +105,19 @@ class LastSources {
   std::mutex lock_;
   std::deque<std::pair<Key, std::shared_ptr<Source>>> kept_;
 };
-using FrameSources = LastSources<FrameSource, std::pair<FrameKind, FrameStart>>;
+using FrameSources = LastSources<FrameSource, FrameQuery>;
 
-struct FrameSource::Segment {
-  Vector<Polynomial> position;
-  RoundedPoint rounded;
-  Frames frames;
+/// A segment.
+struct FrameSource::Piece {
+  std::optional<RoundedPoint> rounded;  ///< where it is polynomial
+  // Of PH curves:
   QuaternionPolynomial preimage;              ///< without real factors
   int sign = 1;                               ///< of the preimage, for a continuous B
-  RoundedPolynomial normal;                   ///< the real factor of g, of whose sign Frenet's n is
+  RoundedPolynomial normal{Polynomial{1}};    ///< the real factor of g, of whose sign Frenet's n is
   std::array<bool, 4> zeros{};                ///< components u, v, p, q of B that are 0 everywhere
   mutable std::atomic<std::size_t> asked{0};  ///< how often, up to now
   std::atomic<bool> is_undecided{false};  ///< it cannot be compiled: poles of θ′ are too near
   std::atomic<const CompiledFrames*> compiled{nullptr};
-
-  explicit Segment(const Curve& curve, FrameKind kind);
 };
 
 }  // namespace phrame::python

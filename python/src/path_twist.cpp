@@ -37,11 +37,7 @@ Orientation orientation(nb::handle x, const std::string& place) {
 }  // namespace
 
 TangentAxis tangent_axis(const std::string& name) {
-  std::vector<std::pair<std::string, TangentAxis>> axes;
-  for (const bool is_reversed : {false, true})
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      axes.emplace_back(name_of(TangentAxis{axis, is_reversed}), TangentAxis{axis, is_reversed});
-  for (const auto& [known, axis] : axes)
+  for (const auto& [known, axis] : tangent_axes())
     if (known == name) return axis;
   refuse("tangent_axis", "it is none of x, y, z, -x, -y, -z", nb::str(name.c_str()));
 }

@@ -1,23 +1,17 @@
 #pragma once
 #include "arguments.hpp"
 #include "frame_source.hpp"
-#include "general_source.hpp"
 #include "insides.hpp"
 #include "values.hpp"
 
 namespace phrame::inline v0::python {
 
-/// What frames of a path were asked for last.
-struct Sources {
-  FrameSources closed;
-  GeneralSources general;
-};
-
 /// A path as Python has it.
 struct PathObject {
   NamedPath named;
   std::optional<NamedPhPath> ph;  ///< the same where all segments are PH curves
-  std::shared_ptr<Sources> sources = std::make_shared<Sources>();
+  /// What frames were asked for last.
+  std::shared_ptr<FrameSources> sources = std::make_shared<FrameSources>();
 
   explicit PathObject(NamedPath path);
 };
