@@ -35,6 +35,7 @@ RealBall AbsoluteIntegral::up_to(const Real& t, std::size_t changes_before, long
 
 // Where t is not told from a change, both sums hold the value: they differ by what lies between.
 RealBall AbsoluteIntegral::enclose(const Real& t, long bits) const {
+  if (changes_.empty()) return up_to(t, 0, bits);
   const long more = bits + 16;
   std::size_t before = 0;
   bool is_certain = true;

@@ -170,24 +170,34 @@ void require_no_zero(const Polynomial& p, const char* name) {
       fmt::format("the {} of the integrand is 0 near t = {:.9g}", name, static_cast<double>(near)));
 }
 
-/// S = c·g²·S₁: N/(D·|g|·√(c·S₁)) in lowest terms, D > 0.
+/// S = g²·rest, where the rest has no multiple root.
+struct SplitSquare {
+  Polynomial g{1};
+  Polynomial rest;
+};
+
+SplitSquare split_square(const Polynomial& S) {
+  if (is_squarefree(S)) return {{1}, S};
+  const Factorization factors = squarefree_factorization(S);
+  SplitSquare split{{1}, Polynomial{factors.unit}};
+  for (const Factor& factor : factors.factors) {
+    split.g *= pow(factor.base, factor.exponent / 2);
+    if (factor.exponent % 2 != 0) split.rest *= factor.base;
+  }
+  return split;
+}
+
+/// S = g²·S₁: N/(D·|g|·√S₁) in lowest terms, D > 0.
 RootQuotient in_lowest_terms(const RootQuotient& f) {
   if (f.denominator.is_zero() || f.radicand.is_zero())
     throw DomainError("the integrand is divided by 0");
   require_no_zero(f.radicand, "radicand");
   if (f.radicand(0) < 0) throw DomainError("the radicand of the integrand is negative");
   if (f.numerator.is_zero()) return {};
-  Polynomial g{1};
-  Polynomial rest{1};
-  const Factorization factors = squarefree_factorization(f.radicand);
-  for (const Factor& factor : factors.factors) {
-    g *= pow(factor.base, factor.exponent / 2);
-    if (factor.exponent % 2 != 0) rest *= factor.base;
-  }
+  const auto [g, rest] = split_square(f.radicand);
   const Polynomial all = Rational(g(0).sign()) * f.denominator * g;
   const Polynomial common = gcd(f.numerator, all);
-  RootQuotient lowest{exact_quotient(f.numerator, common), exact_quotient(all, common),
-                      factors.unit * rest};
+  RootQuotient lowest{exact_quotient(f.numerator, common), exact_quotient(all, common), rest};
   require_no_zero(lowest.denominator, "denominator");
   const Rational sign = lowest.denominator(0).sign();
   lowest.numerator *= sign;

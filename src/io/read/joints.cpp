@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -43,6 +45,24 @@ std::vector<Vector<Rational>> places_on(const GivenSegment& segment) {
     for (const Rational& t : ts) places.push_back(point(*rational, t));
   }
   return places;
+}
+
+double size_of(const Polynomial& p) {
+  double sum = 0;
+  for (const Rational& c : p.coefficients()) sum += std::abs(static_cast<double>(c));
+  return sum;
+}
+
+/// No coordinate on a polynomial segment is greater, but for rounding; infinite for others.
+double bound_of(const GivenSegment& segment) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto* curve = std::get_if<RationalCurve>(&segment.form);
+  if (curve == nullptr || !curve->weight().is_constant()) return infinite;
+  const double size = size_of(curve->multiplier());
+  double bound = 0;
+  for (const Polynomial& h : curve->direction()) bound += size * size_of(h);
+  for (const Rational& x : point(*curve, 0)) bound += std::abs(static_cast<double>(x));
+  return std::isfinite(bound) ? bound : infinite;
 }
 
 /// The gaps of a list of segments, while they are closed.
@@ -91,8 +111,22 @@ class Gaps {
                                               const GivenSegment& after) {
     const auto end = place_at(before, 1);
     const auto start = place_at(after, 0);
-    if (!end || !start || *end == *start || !are_within(most(), *end, *start)) return std::nullopt;
-    return *start - *end;
+    if (!end || !start || *end == *start) return std::nullopt;
+    const Vector<Rational> way = *start - *end;
+    if (is_seen_far(way) || !are_within(most(), *end, *start)) return std::nullopt;
+    return way;
+  }
+  /// Is it farther than what rounding leaves, whatever the places on the segments? So are the ends
+  /// of nearly every open path.
+  bool is_seen_far(const Vector<Rational>& way) {
+    if (most_) return false;
+    if (!bound_) {
+      bound_ = 0;
+      for (const GivenSegment& segment : segments_) bound_ = std::max(*bound_, bound_of(segment));
+    }
+    double size = 0;
+    for (const Rational& x : way) size += std::abs(static_cast<double>(x));
+    return size > 0x1p-40 * *bound_;
   }
   /// Where none is given, that of rounding all segments, found where the first gap is.
   const Rational& most() {
@@ -116,6 +150,7 @@ class Gaps {
 
   std::vector<GivenSegment>& segments_;
   std::optional<Rational> most_;
+  std::optional<double> bound_{};  ///< of all coordinates
   std::size_t count_ = 0;
   Rational greatest_{};
 };

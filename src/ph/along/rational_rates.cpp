@@ -23,9 +23,10 @@ Turning turning_of(const RationalCurve& curve) {
 
 RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v) {
   const Vector<Polynomial>& H = curve.direction();
-  const Vector<Polynomial> up = as_polynomials(v);
-  const Vector<Polynomial> across = cross(up, H);
-  return {-dot(up, H) * dot(across, differentiate(H)), squared_size(across), squared_size(H)};
+  const Vector<Polynomial> across{v[1] * H[2] - v[2] * H[1], v[2] * H[0] - v[0] * H[2],
+                                  v[0] * H[1] - v[1] * H[0]};
+  const Polynomial along = v[0] * H[0] + v[1] * H[1] + v[2] * H[2];
+  return {-along * dot(across, differentiate(H)), squared_size(across), squared_size(H)};
 }
 
 RootQuotient frenet_turning(const RationalCurve& curve) {

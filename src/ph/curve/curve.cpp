@@ -66,10 +66,30 @@ Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t) {
   return {v[0](t), v[1](t), v[2](t)};
 }
 
+namespace {
+
+constexpr long most_differences = 5;
+
+/// Σ C(m, k)·Δᵏb₀·tᵏ: the shortest way for low degrees.
+Polynomial from_differences(std::vector<Rational> b) {
+  const std::size_t m = b.size() - 1;
+  for (std::size_t k = 1; k <= m; ++k)
+    for (std::size_t j = m; j >= k; --j) b[j] -= b[j - 1];
+  Rational binomial = 1;
+  for (std::size_t k = 1; k <= m; ++k) {
+    binomial = binomial * (m - k + 1) / k;
+    b[k] *= binomial;
+  }
+  return Polynomial(b);
+}
+
+}  // namespace
+
 // With c_r = C(m, r) b_r and s = 1/t: Σ c_r tʳ (1 − t)^{m−r} = tᵐ Σ c_r (s − 1)^{m−r}, so reverse,
 // substitute s → s − 1, reverse again: one Taylor shift.
 Polynomial from_bernstein(const std::vector<Rational>& b) {
   const auto m = static_cast<long>(b.size()) - 1;
+  if (m <= most_differences) return from_differences(b);
   std::vector<Rational> scaled = b;  // C(m, r)·b_r
   Rational binomial = 1;
   for (long r = 0; r <= m; ++r) {
