@@ -231,18 +231,6 @@ Question& question_of(const std::string& name, AddCommand add) {
   return questions.try_emplace(add, name, add).first->second;
 }
 
-/// Where it ends, so do the values of the options.
-class Forgotten {
- public:
-  explicit Forgotten(Command& command) : command_(command) {}
-  Forgotten(const Forgotten&) = delete;
-  Forgotten& operator=(const Forgotten&) = delete;
-  ~Forgotten() { command_.forget(); }
-
- private:
-  Command& command_;
-};
-
 std::string answer_to(const JsonNode& line, const QuestionDefaults& defaults, Question& question) {
   Command& command = question.command;
   const std::vector<Key>& keys = question.keys;
@@ -276,7 +264,7 @@ std::string answer_question(const JsonNode& line, const QuestionDefaults& defaul
   const auto asked = line.find("question");
   const std::string& name = asked ? asked->string() : defaults.question;
   Question& question = question_of(name, choose("/question", name, table));
-  const Forgotten forgotten(question.command);
+  question.command.forget();  // what the line before gave
   return answer_to(line, defaults, question);
 }
 
