@@ -115,14 +115,26 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   write_page(self.named, query, samples, file);
 }
 
-nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle join) {
+nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle join,
+                       Flag<"trim"> trim) {
   const PhPath& along = ph_of(self, "offset").path;
   const Rational d = rational(distance, "distance");
   if (d == 0) refuse("distance", "0 is no distance", distance);
   const auto joined_by = chosen<OffsetJoin>(text(join, "join"), "join", offset_joins());
+  if (trim && joined_by == OffsetJoin::mitre)
+    refuse("join", "what is trimmed is joined by arcs or left open, not mitred", join);
+  OffsetQuery query{{d}, joined_by};
+  query.trim = trim.value;
   nb::list list;
-  for (Path& path : without_gil([=] { return paths(offset(along, d, joined_by)); }))
-    list.append(wrap(NamedPath(self.named.name, std::move(path))));
+  const auto add = [&](std::vector<Path> found) {
+    for (Path& path : found) list.append(wrap(NamedPath(self.named.name, std::move(path))));
+  };
+  if (!trim) {
+    add(without_gil([=] { return paths(offset(along, d, joined_by)); }));
+    return nb::tuple(list);
+  }
+  const OffsetAnswer found = without_gil([=] { return answer(NamedPath("", along), query); });
+  for (const OffsetAnswer::Branch& branch : found.trimmed.front().branches) add(branch.paths);
   return nb::tuple(list);
 }
 
@@ -136,13 +148,15 @@ void bind_products(PathClass& path) {
            "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
            "z.")
       .def("offset", offset_paths, argument("distance"), argument("join") = "round",
-           nb::sig("def offset(self, distance: Number, join: str = \"round\") -> "
-                   "tuple[Path, ...]"),
+           argument("trim") = false,
+           nb::sig("def offset(self, distance: Number, join: str = \"round\", trim: bool = False) "
+                   "-> tuple[Path, ...]"),
            "The exact offset of a PH path in a plane z = const, > 0 to the right of travel, as "
            "rational curves; several paths where corners are not joined or it turns back at a "
-           "joint. `join` is \"round\", \"mitre\" or \"open\". phrame.ask(\"offset\", …) has its "
-           "cusps, "
-           "self-intersections and lengths: docs/offsets.md.")
+           "joint. `join` is \"round\", \"mitre\" or \"open\". With `trim` what is nearer to the "
+           "path than |distance| is cut away, and the paths are the branches that are left, within "
+           "17 digits of it where they are cut. phrame.ask(\"offset\", …) has its cusps, "
+           "self-intersections, cuts, lengths and areas: docs/offsets.md.")
       .def("compile", compile, argument("prefix") = nb::none(), argument("frame") = nb::none(),
            PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
            argument("up") = nb::none(),

@@ -25,6 +25,17 @@ def test_joins_at_corners():
     assert len(CORNER.offset(-1)) == 2
 
 
+def test_what_is_nearer_to_the_path_is_trimmed():
+    corners = [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 0, 0]]
+    triangle = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
+    (inside,) = triangle.offset("-1/2", trim=True)
+    assert inside.length == 6
+    assert triangle.offset(-1, trim=True) == ()
+    assert len(triangle.offset(2, "open", trim=True)) == 3
+    with pytest.raises(ValueError, match="not mitred"):
+        triangle.offset(1, "mitre", trim=True)
+
+
 def test_the_report_by_ask():
     (offset,) = phrame.ask("offset", CUBIC, distance="-1")["offsets"]
     assert [cusp["t"]["polynomial"] for cusp in offset["cusps"]] == [["-1", "0", "2", "0", "1"]]
