@@ -139,6 +139,8 @@ SuiteRow suite_row_of(const Command& command, const CheckOptions& options,
 void run_suite(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const SuiteAnswer&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+  if (command.is_given("--start") && options.start.rule != "least")
+    throw InputError("--start", "\"" + options.start.rule + "\" is for one curve, not for --suite");
   const FrameCheckOptions measure = measure_of(options);
   auto tables = tables_in("--suite", options.curve.path);
   SuiteAnswer found;
@@ -248,7 +250,7 @@ void add_check(Program& program) {
   options->length.add_to(command);
   command.require_but_with("--suite", "FRAMES");
   command.not_with({"--order", "--near", "--max-corner", "--kind", "--gap", "--pick",
-                    "--max-degree", "--by", "--up", "--start-normal", "FRAMES"},
+                    "--max-degree", "--by", "--up", "--theta0", "--start-normal", "FRAMES"},
                    {"--suite"});
   command.set_notes(
       "FRAMES has a header: t and f2x,f2y,f2z, optionally f3x,... and e1x,... (the tangent), or t\n"

@@ -69,7 +69,11 @@ def main():
         assert "41/rational-frames-02.csv:line 2" in curves["rational-frames-02"]["failure"]
         text = phrame("check", "--suite", mine, status=1)
         assert "\n  rational-frames  " in text and "Without a verdict\n  rational-frames-02: " in text
-        assert phrame("check", "--suite", mine, "--print", "latex", status=1).startswith("\\begin{tabular}{lrrrrrrr}\ngroup & ")
+        latex = phrame("check", "--suite", mine, "--print", "latex", status=1)
+        assert latex.startswith("\\begin{tabular}{lrrrrrrr}\ngroup & ") and latex.isascii(), latex
+        exact = folder / "collection/frames"
+        assert json.loads(phrame("check", "--suite", exact, "--start", "least", "--tol", "1e-13", "--print", "json", status=1))["groups"][-1]["passed"] > 15
+        phrame("check", "--suite", exact, "--start", "erf", status=2)
         (mine / "nobody.csv").write_text("t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n")
         phrame("check", "--suite", mine, status=2)
 

@@ -32,11 +32,11 @@ std::string table_text(const Table& table) {
   return text;
 }
 
-/// "1.3e-7" as $1.3 \cdot 10^{-7}$.
+/// "1.3e-7" as $1.3 \cdot 10^{-7}$, a dash as "--".
 std::string latex_cell(const std::string& cell) {
   const std::size_t e = cell.find('e');
   const bool is_number = !cell.empty() && cell.find_first_not_of("0123456789.e-") == cell.npos;
-  if (!is_number) return cell;
+  if (!is_number) return cell == "–" ? "--" : cell;
   if (e == std::string::npos) return "$" + cell + "$";
   return fmt::format(R"(${} \cdot 10^{{{}}}$)", cell.substr(0, e), cell.substr(e + 1));
 }

@@ -13,7 +13,7 @@ constexpr long rate_bits = 64;
 bool is_of_method(const StepError& x) { return x.error.lower() > rounding_level; }
 
 std::optional<RealBall> rate(const StepError& a, const StepError& b) {
-  if (!is_of_method(a) || !is_of_method(b)) return std::nullopt;
+  if (!is_of_method(a) || !is_of_method(b) || b.step == 0) return std::nullopt;
   const RealBall gain = log(divide(a.error, b.error, rate_bits), rate_bits);
   return divide(gain, log(RealBall(Rational(a.step / b.step), rate_bits), rate_bits), rate_bits);
 }

@@ -39,6 +39,9 @@ TEST_CASE("convergence: errors of rounding have no rate") {
   CHECK_FALSE(found.rates[2]);
   CHECK_FALSE(convergence({at(10, Rational(1, 100))}).order);
   CHECK_FALSE(convergence({at(10, 0), at(20, 0)}).order);
+  // Frames at one t have no step.
+  const StepError one{1, Rational(0), RealBall(Rational(1, 8), 64)};
+  CHECK_FALSE(convergence({at(10, Rational(1, 100)), one}).order);
 }
 
 TEST_CASE("convergence: the step is the greatest between neighbouring t, whatever their order") {
