@@ -176,9 +176,6 @@ def _nurbs_of_edge(curve: Any, edge: Any) -> Dict[str, Any]:
 
 
 _PACKAGES: Dict[str, Callable[[Any], Any]] = {
-    "OCP": _of_occt,
-    "cadquery": _of_occt,
-    "build123d": _of_occt,
     "splipy": _of_splipy,
     "geomdl": _of_geomdl,
     "rhino3dm": _of_rhino3dm,
@@ -186,6 +183,9 @@ _PACKAGES: Dict[str, Callable[[Any], Any]] = {
     "shapely": _of_shapely,
     "trimesh": _of_trimesh,
     "pyvista": _of_pyvista,
+    "OCP": _of_occt,
+    "cadquery": _of_occt,
+    "build123d": _of_occt,
 }
 
 

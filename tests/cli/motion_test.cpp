@@ -20,6 +20,14 @@ std::string line(const std::string& text, long number) {
   return result;
 }
 
+/// Of a row of numbers.
+std::vector<std::string> fields(const std::string& row) {
+  std::vector<std::string> found;
+  std::istringstream numbers(row);
+  for (std::string number; std::getline(numbers, number, ',');) found.push_back(number);
+  return found;
+}
+
 }  // namespace
 
 // t at s = 71/30 by mpmath, as in the tests of ArcLength: 0.46768000073524704372747…, in the
@@ -120,11 +128,61 @@ TEST_CASE("--by native: t of angle, mtf and frames is the parameter of the file"
   CHECK(contains(here.run("batch lines.jsonl").out, "0.63662"));
 }
 
+// Half of the length 71/15 of the quintic is at t = 0.46768000073524707 (docs/motion.md).
+TEST_CASE("--by: places of all commands are told by any parameter") {
+  const Workshop here;
+  add_curves(here);
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  const Run parts = here.run("transform quintic.json --by fraction --split 1/2 -o halves.jsonl");
+  CHECK(parts.status == 0);
+  CHECK(contains(parts.err, "quintic.json: it is cut at irrational t, rounded"));
+  const std::string halves = bytes_of(here.file("halves.jsonl"));
+  CHECK(lines(halves) == 2);
+  const Run lengths = here.run("batch halves.jsonl --question info --digits 15");
+  CHECK(lines(lengths.out) == 2);
+  CHECK(contains(lengths.out, "\"id\":\"quintic-1\""));
+  const Run mtf = here.run("mtf quintic.json --from 0 --to 1 --subdivide 1/2 --by fraction");
+  CHECK(contains(mtf.out, "  0           0.46768000  "));
+  CHECK(contains(here.run("compile quintic.json --by fraction --to 1/2").out,
+                 "For 0 <= t <= 0.46768000073524707;"));
+  CHECK(here.run("certify quintic.json --by fraction --at 1").out ==
+        here.run("certify quintic.json --at 1").out);
+  check_failure(here.run("certify quintic.json --by arc-length --at 1"), 2,
+                "--by: at 1 t is irrational, and here it is a fraction");
+  CHECK(here.run("prove quintic.json --by fraction --at 1").out ==
+        here.run("prove quintic.json --at 1").out);
+  check_failure(here.run("prove quintic.json --by fraction --at 0"), 2, "--at: 0 is the start");
+}
+
+TEST_CASE("frames: --by time: rows are where a motion is at its times") {
+  const Workshop here;
+  add_curves(here);
+  const std::string feed = " --feed '1 + s/2' ";
+  const Run motion = here.run("interpolate quintic.json --period 1/2" + feed);
+  const Run frames = here.run("frames quintic.json --by time --at 0,1/2,1" + feed);
+  check_success(frames);
+  for (long k = 0; k < 3; ++k) {  // k, time, t, s, x, y, z
+    const auto points = fields(line(motion.out, k + 1));
+    const auto row = fields(line(frames.out, k + 1));
+    CHECK(row.front() == points[2]);
+    CHECK(row[3] == points[6]);
+    CHECK(row.back() == points[1]);
+  }
+  const Run samples = here.run("frames quintic.json --by time --samples 3" + feed);
+  CHECK(line(samples.out, 3).ends_with(",2.427846270358208"));  // 2 log(1 + 71/30)
+  CHECK(line(samples.out, 3).starts_with("1,"));
+  check_failure(here.run("frames quintic.json --by time --at 3" + feed), 3, "3");
+  check_failure(here.run("frames quintic.json --by time --at 1"), 2, "\"time\" needs --feed");
+  check_failure(here.run("frames quintic.json --at 1" + feed), 2, "--feed: needs --by time");
+}
+
 TEST_CASE("frames: arc lengths and columns that make no sense are refused by name") {
   const Workshop here;
   add_curves(here);
   check_failure(here.run("frames quintic.json --by arc-length"), 2,
-                "--by: needs --at or --samples");
+                "--by: needs --at, --samples or --subdivide");
   check_failure(here.run("frames quintic.json --by length --at 0"), 2,
                 "--by: \"length\" is not one of t, native, unit, arc-length, fraction");
   check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,

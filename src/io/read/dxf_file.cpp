@@ -406,9 +406,11 @@ class DxfDrawing {
   void add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
            const Insertion& in);
 
+  static constexpr long most_in_blocks = 200'000;
+
   const CurveLimits& limits_;
   DxfSections sections_;
-  std::size_t count_ = 0;  ///< of entities in blocks
+  long count_ = 0;  ///< of entities in blocks
 };
 
 void DxfDrawing::add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
@@ -451,6 +453,8 @@ void DxfDrawing::insert(const DxfEntity& entity, const Insertion& in) {
   const AffineMap to_place = composed({AffineMap{}.columns, Rational(-1) * base}, scaled);
   const long columns = std::max(1L, entity.flags(70));
   const long rows = std::max(1L, entity.flags(71));
+  if (columns * rows > most_in_blocks)
+    entity.fail(fmt::format("there are more than {} copies of a block", most_in_blocks));
   Insertion next{{}, entity.text(8), in.handle + entity.text(5) + "/", in.depth + 1};
   if (in.depth > 0 && next.layer == "0") next.layer = in.layer;
   for (long row = 0; row < rows; ++row)
@@ -464,12 +468,11 @@ void DxfDrawing::insert(const DxfEntity& entity, const Insertion& in) {
 }
 
 void DxfDrawing::read(const std::vector<DxfEntity>& entities, const Insertion& in) {
-  constexpr std::size_t most = 200'000;
   for (std::size_t k = 0; k < entities.size(); ++k) {
     const DxfEntity& entity = entities[k];
     if (entity.type == "VERTEX" || entity.type == "SEQEND" || entity.type == "ATTRIB") continue;
-    if (in.depth > 0 && ++count_ > most)
-      entity.fail(fmt::format("blocks have more than {} entities", most));
+    if (in.depth > 0 && ++count_ > most_in_blocks)
+      entity.fail(fmt::format("blocks have more than {} entities", most_in_blocks));
     if (entity.type == "INSERT") {
       insert(entity, in);
       continue;

@@ -269,6 +269,7 @@ class SvgDrawing {
   std::map<std::string_view, const SvgElement*> by_id_;
   std::vector<const SvgElement*> uses_;     ///< that are being followed
   std::optional<std::string_view> lost_{};  ///< what a <use> refers to that is not there
+  const SvgElement* root_ = nullptr;        ///< the outermost <svg>
   std::size_t visited_ = 0;                 ///< by <use>
   std::vector<SvgDrawn> drawn_;
 };
@@ -297,7 +298,9 @@ std::optional<Rational> SvgDrawing::length(const SvgElement& element, std::strin
   const auto percent = said(element, name).find('%');
   if (percent == std::string_view::npos) return svg_length(text_, *found, name);
   if (!whole) fail(found->begin, "percent of what has no size that is known");
-  return *whole / 100 * svg_length(text_, {found->begin, found->begin + percent}, name).value();
+  const auto hundredths = svg_length(text_, {found->begin, found->begin + percent}, name);
+  if (!hundredths) fail(found->begin, "a number is expected before %");
+  return *whole / 100 * *hundredths;
 }
 
 /// x, y, width and height are those of the element, the latter two those of the <use> where it has
@@ -377,7 +380,8 @@ void SvgDrawing::draw(const SvgElement& element, PlaneMap map, Size size, const 
     return;
   if (const auto transform = element.attribute("transform"))
     map = read_transform(map, text_, *transform);
-  if (&element == &elements_.front())
+  if (local == "svg" && root_ == nullptr) root_ = &element;
+  if (&element == root_)
     size = outer_size(element);
   else if (local == "svg" || local == "symbol")
     map = viewport(element, use, map, size);

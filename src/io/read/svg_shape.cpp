@@ -16,6 +16,9 @@ std::optional<Rational> svg_length(std::string_view text, const SvgAttribute& at
   std::string_view value = trimmed(text.substr(attribute.begin, attribute.end - attribute.begin));
   if (value == "auto") return std::nullopt;
   if (value.ends_with("px")) value.remove_suffix(2);
+  if (value.empty())
+    throw InputError(line_and_column(text, attribute.begin + 1),
+                     fmt::format("{}: a number is expected", name));
   const auto end = value.find_last_of("0123456789.");
   if (end != std::string_view::npos && end + 1 < value.size())
     throw InputError(line_and_column(text, attribute.begin + 1),

@@ -147,6 +147,8 @@ TEST_CASE("DXF: blocks are where they are put, turned, scaled, in rows and in on
   CHECK(contains(
       refusal(with_block("2 a 10 0 20 0 0 INSERT 8 0 2 a 10 0 20 0", "0 INSERT 8 0 2 a 10 0 20 0")),
       "INSERT: blocks are in blocks more than 32 deep"));
+  CHECK(contains(refusal(with_block("2 a 10 0 20 0", "0 INSERT 2 a 10 0 20 0 70 999999 71 999999")),
+                 "INSERT: there are more than 200000 copies of a block"));
   CHECK(contains(refusal(dxf("0 INSERT 8 0 2 lost 10 0 20 0")), "it has INSERT"));
 }
 

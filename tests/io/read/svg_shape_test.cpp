@@ -79,6 +79,9 @@ TEST_CASE("SVG shapes: transformations, what is hidden, and which is picked") {
 TEST_CASE("SVG shapes: what cannot be read is refused where it is") {
   CHECK(refused("<rect width='5mm' height='3'/>") ==
         "1:54: width: a length without a unit, or in px, is wanted, not \"5mm\"");
+  CHECK(refused("<circle r=''/>").ends_with("r: a number is expected"));
+  CHECK(refused("<svg width='auto%' height='1'><line x2='1'/></svg>")
+            .ends_with("percent of what has no size that is known"));
   CHECK(refused("<circle r='x'/>").ends_with("a number is expected, not \"x\""));
   CHECK(refused("<polygon points='0,0 1'/>").ends_with("a number is expected, not the end"));
   CHECK(refused("<rect/>").ends_with("the file draws no path and no shape"));
