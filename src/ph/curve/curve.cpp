@@ -70,7 +70,7 @@ namespace {
 
 constexpr long most_differences = 5;
 
-/// Σ C(m, k)·Δᵏb₀·tᵏ: the shortest way for low degrees.
+/// Σ C(m, k)·Δᵏb₀·tᵏ, m ≥ 0: the shortest way for low degrees.
 Polynomial from_differences(std::vector<Rational> b) {
   const std::size_t m = b.size() - 1;
   for (std::size_t k = 1; k <= m; ++k)
@@ -89,7 +89,7 @@ Polynomial from_differences(std::vector<Rational> b) {
 // substitute s → s − 1, reverse again: one Taylor shift.
 Polynomial from_bernstein(const std::vector<Rational>& b) {
   const auto m = static_cast<long>(b.size()) - 1;
-  if (m <= most_differences) return from_differences(b);
+  if (0 <= m && m <= most_differences) return from_differences(b);
   std::vector<Rational> scaled = b;  // C(m, r)·b_r
   Rational binomial = 1;
   for (long r = 0; r <= m; ++r) {
