@@ -8,7 +8,7 @@
 namespace phrame::inline v0 {
 
 // What the recurrences of unit_series() ask of integers: of those of any size, and of those of two
-// words, which take a tenth of the time.
+// words, which take a quarter of the time.
 
 /// An integer of two words.
 __extension__ using TwoWords = __int128;
