@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from pathlib import Path as File
@@ -25,7 +25,18 @@ class ReferenceCurve:
     name: str
     group: str
     json: str  #: its line of the collection, as parse() reads it
-    expected: Dict[str, Any] = field(hash=False)  #: the values: decimals with 50 digits, as texts
+
+    def __copy__(self) -> ReferenceCurve:
+        return self
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> ReferenceCurve:
+        return self
+
+    @property
+    def expected(self) -> Dict[str, Any]:
+        """The values: decimals with 50 digits, as texts."""
+        values: Dict[str, Any] = json.loads(self.json)["expected"]
+        return values
 
     @property
     def path(self) -> _phrame.Path:
@@ -49,10 +60,7 @@ def _groups() -> Dict[str, List[ReferenceCurve]]:
     groups: Dict[str, List[ReferenceCurve]] = {}
     for file in sorted(_FOLDER.glob("*.jsonl"), key=lambda file: file.stem):
         lines = file.read_text(encoding="utf-8").splitlines()
-        groups[file.stem] = [
-            ReferenceCurve(value["name"], file.stem, line, value["expected"])
-            for line, value in ((line, json.loads(line)) for line in lines)
-        ]
+        groups[file.stem] = [ReferenceCurve(json.loads(line)["name"], file.stem, line) for line in lines]
     return groups
 
 
