@@ -3,6 +3,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/names.hpp"
+#include "phrame/io/write/svg.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -36,7 +37,9 @@ void run(const OffsetOptions& options) {
       {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", write_offsets}});
   const OffsetQuery asked = query(options);
   const OffsetAnswer found = answer(options.curve.read_path(), asked);
-  if (!options.output.empty()) write_output(options.output, write_offsets(found));
+  if (!options.output.empty())
+    write_output(options.output, ending(options.output) == "svg" ? write_svg(drawing(found))
+                                                                 : write_offsets(found));
   if (options.output.empty() || print != write_offsets) options.length.write("-", print(found));
 }
 
@@ -56,9 +59,11 @@ void add_offset(Program& program) {
   command.add_flag("--trim", options->trim,
                    "cut away what is nearer to the path than |d|, by exact tests");
   add_digits(command, options->digits);
-  command.add_option("-o,--output", "FILE", options->output,
-                     "write the offset to this file, beside the report; several paths a line each");
-  command.writes("a curve in JSON there", {"json", "jsonl"});
+  command.add_option(
+      "-o,--output", "FILE", options->output,
+      "write the offset to this file, beside the report: a curve file, several paths\n"
+      "a line each; as .svg by cubics within |d|/1000000, proved");
+  command.writes("a curve in JSON or SVG there", {"json", "jsonl", "svg"});
   command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
                      "text (default), json, latex, or curve: the curve file instead of a report");
   options->length.add_to(command);

@@ -35,8 +35,8 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
   return table;
 }
 
-/// "json" of "runs/x.JSON", "3mf" of "x.3mf"; empty where the name has no ".", or only digits after
-/// it, as in "t-0.5".
+}  // namespace
+
 std::string ending(const std::string& path) {
   const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
   const std::size_t dot = path.rfind('.');
@@ -47,6 +47,8 @@ std::string ending(const std::string& path) {
                                      [](unsigned char c) { return std::isdigit(c) != 0; });
   return is_number ? "" : result;
 }
+
+namespace {
 
 /// Endings of files that one command writes, or none: pages and pictures, documents, tables, packed
 /// files, meshes and surfaces of others.

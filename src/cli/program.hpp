@@ -33,6 +33,10 @@ struct OptionFacts {
   std::optional<std::string> in_lines;    ///< the same of a line of a batch, where that is another
 };
 
+/// "json" of "runs/x.JSON", "3mf" of "x.3mf"; empty where the name has no ".", or only digits after
+/// it, as in "t-0.5".
+std::string ending(const std::string& path);
+
 /// A command of the program: what can be given to it, and what it then does.
 ///
 /// It is CLI11 that reads the command line. Its header takes longer to compile than a command does,

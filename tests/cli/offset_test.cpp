@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
 
@@ -126,6 +128,34 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   check_failure(here.run("offset back.json --distance 1 --trim -o off.json"), 3,
                 "phrame: trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  check_success(here.run("offset turn.json --distance 1/2 -o off.svg"));
+  const NamedPath back = read_any_path(bytes_of(here.file("off.svg")));
+  CHECK(back.path.segments().size() >= 2);
+  // Of each point the foot t of the perpendicular on r = (t - t^3/3, t^2), at the distance 1/2.
+  for (const Segment& segment : back.path.segments())
+    for (const double s : {0.0, 0.3, 0.7, 1.0}) {
+      const Vector<Rational> at = point(*rational_curve(segment), Rational(long(s * 10), 10));
+      const auto x = static_cast<double>(at[0]);
+      const auto y = static_cast<double>(at[1]);
+      double t = x;
+      for (int steps = 0; steps < 50; ++steps)
+        t += ((x - t + t * t * t / 3) * (1 - t * t) + (y - t * t) * 2 * t) /
+             ((1 + t * t) * (1 + t * t) * 1.5);
+      CHECK(std::abs(std::hypot(x - t + t * t * t / 3, y - t * t) - 0.5) < 5e-7);
+      CHECK(t > -1e-6);
+      CHECK(t < 1 + 1e-6);
+    }
+  here.write("triangle.json", R"({"phrame": "spline/1", "name": "a<b", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  check_success(here.run("offset triangle.json --distance -1/2,-1/3 --trim -o in.svg"));
+  CHECK(contains(bytes_of(here.file("in.svg")), "<title>a&lt;b</title>"));
+  CHECK(contains(here.run("info in.svg --pick offset-2").out, "closed"));
 }
 
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {

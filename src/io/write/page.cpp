@@ -291,14 +291,6 @@ JsonOutput json_of(const PageAnswer& answer) {
   return page;
 }
 
-/// Text of an element.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return result;
-}
-
 /// JSON in a script element, which "</script" would end and "<!--" would change.
 std::string inert(const std::string& json) {
   std::string result;
@@ -329,7 +321,7 @@ std::string to_page(const PageAnswer& answer) {
   replace_once(html, "<!--data-->", inert(page.dump()));
   const std::string name = page["name"].get<std::string>();
   replace_once(html, "<!--title-->",
-               escaped(name.empty() ? page["heading"].get<std::string>() : name));
+               element_text(name.empty() ? page["heading"].get<std::string>() : name));
   return html;
 }
 

@@ -217,4 +217,11 @@ std::string shown(const RealAlgebraic& x) {
   }
 }
 
+std::string element_text(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return result;
+}
+
 }  // namespace phrame

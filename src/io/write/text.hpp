@@ -64,5 +64,7 @@ std::string shown(const Real& x, const Decimal& rounded);
 std::string shown(const Interval& interval);
 /// A place: "1/2", "0.707106781187…", cut off and not rounded.
 std::string shown(const RealAlgebraic& x);
+/// Text of an element of HTML or XML.
+std::string element_text(const std::string& text);
 
 }  // namespace phrame

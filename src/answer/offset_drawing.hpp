@@ -1,0 +1,21 @@
+#pragma once
+#include "phrame/answer/offset.hpp"
+#include "phrame/ph/curve/plane_cubics.hpp"
+
+namespace phrame::inline v0 {
+
+/// One of the paths of an answer by cubic Bézier curves, for formats that have no others.
+struct OffsetCubics {
+  std::vector<PlaneCubic> cubics;  ///< one after the other, as plane_cubics() has them
+  bool is_closed;                  ///< do they end where they begin?
+};
+/// All paths of an answer.
+struct OffsetDrawing {
+  std::string name;                 ///< of the path
+  std::vector<OffsetCubics> paths;  ///< in their order
+  Rational tolerance;               ///< each is within that of the offset, which is proved
+};
+/// Within 10⁻⁶ of the least distance.
+OffsetDrawing drawing(const OffsetAnswer& answer);
+
+}  // namespace phrame
