@@ -210,8 +210,7 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
     if (!found.undecided.empty()) ++undecided;
   });
   CHECK(branches >= 10);
-  // Next to near-cusps some places are not told.
-  // 10^-9.
+  // Next to near-cusps a place may stay undecided, which is said.
   CHECK(10 * undecided <= samples);
 }
 
@@ -300,7 +299,7 @@ TEST_CASE("offset_trim: curved branches that miss each other by 10^-30, or cross
 }
 
 TEST_CASE("offset_trim: law: areas and lengths are those of polygons through points") {
-  for_samples(6, [](Random& random) {
+  for_samples(3, [](Random& random) {
     const PhPath path = random_path(random, 2);
     const TrimmedOffset found =
         trimmed_offset(path, Rational(random.integer(0, 1) == 0 ? -5 : 5, random.integer(1, 4)));
