@@ -90,18 +90,30 @@ class FrameSource {
 template <class Source, class Key>
 class LastSources {
  public:
-  /// The one kept, or what `make` makes.
+  /// The one kept, or what `make` makes: without the lock, since it may let go of Python's, which
+  /// those who wait for ours would hold. Of two that are made at once the first is kept.
   template <class Make>
   std::shared_ptr<Source> of(const Key& key, const Make& make) {
-    constexpr std::size_t most = 4;
+    if (auto known = kept(key)) return known;
+    std::shared_ptr<Source> made = make();
     const std::lock_guard guard(lock_);
-    for (const auto& [known, source] : kept_)
-      if (known == key) return source;
+    if (auto known = find(key)) return known;
+    constexpr std::size_t most = 4;
     if (kept_.size() == most) kept_.pop_front();
-    return kept_.emplace_back(key, make()).second;
+    return kept_.emplace_back(key, std::move(made)).second;
   }
 
  private:
+  std::shared_ptr<Source> kept(const Key& key) {
+    const std::lock_guard guard(lock_);
+    return find(key);
+  }
+  std::shared_ptr<Source> find(const Key& key) const {
+    for (const auto& [known, source] : kept_)
+      if (known == key) return source;
+    return nullptr;
+  }
+
   std::mutex lock_;
   std::deque<std::pair<Key, std::shared_ptr<Source>>> kept_;
 };

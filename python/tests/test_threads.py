@@ -194,3 +194,20 @@ def test_the_quota_of_a_container(tmp_path, group, files, expected):
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / name).write_text(text + "\n")
     assert _threads._cores_of_group(str(tmp_path)) == expected
+
+
+FIRST_FRAMES = """
+import sys, threading, phrame
+sys.setswitchinterval(1e-5)
+for n in range(60):
+    path = phrame.Path.bezier([[0, 0, 0], [1, n, 0], [3, 0, 1], [4, 1, 2]])
+    threads = [threading.Thread(target=path.frames, args=([0, 0.5],), kwargs={"start": start}) for start in (None, None, 1, 1)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+"""
+
+
+def test_threads_that_ask_first_do_not_wait_for_each_other():
+    subprocess.run([sys.executable, "-c", FIRST_FRAMES], check=True, timeout=60)
