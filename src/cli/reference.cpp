@@ -51,7 +51,8 @@ std::string kind_of(const CollectedCurve& curve) {
 /// What is known of it besides its frames.
 std::string values_of(const CollectedCurve& curve) {
   std::string values = "frames";
-  for (const std::string& key : JsonNode(curve.json).at("expected").keys())
+  const JsonNode expected = JsonNode(curve.json).at("expected");
+  for (const std::string& key : expected.keys())
     if (key != "at" && key != "frames") values += ", " + key;
   return values;
 }
