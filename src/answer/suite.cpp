@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "phrame/ph/along/reduced_angle.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
@@ -18,13 +20,7 @@ std::optional<RealBall> holonomy_error(const CheckAnswer& table) {
     if (table.frames[k].t == path.end()) last = table.verdict.errors[k];
   }
   if (!first || !last) return std::nullopt;
-  RealBall off = subtract(*last, *first, suite_bits);
-  const RealBall half_turn = pi(suite_bits);
-  while (off.midpoint() > half_turn.midpoint())
-    off = subtract(off, times_power_of_two(half_turn, 1), suite_bits);
-  while (off.midpoint() < -half_turn.midpoint())
-    off = add(off, times_power_of_two(half_turn, 1), suite_bits);
-  return off;
+  return reduced(subtract(*last, *first, suite_bits), suite_bits);
 }
 
 std::size_t flips_of(const FrameVerdict& verdict) {

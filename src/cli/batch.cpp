@@ -178,7 +178,7 @@ class Failures {
 BatchDefaults defaults_of(const Command& command, const BatchOptions& options) {
   choose("--question", options.question, answering_commands());
   chosen_reference(options.frame);
-  for (const std::string& t : split(options.at)) parse_option("--at", t);
+  parse_list_option("--at", options.at);
   if (!options.start.rule.empty() && options.start.rule != "least")
     throw InputError("--start", "each line has a frame of its own that its angle is measured from");
   options.start.start();

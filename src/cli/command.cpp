@@ -370,11 +370,7 @@ Parametrization Parameters::on(const NamedPath& named) const {
   return at_option("--by", [&] { return Parametrization(named, kind()); });
 }
 
-std::vector<Rational> Parameters::given() const {
-  std::vector<Rational> result;
-  for (const std::string& text : split(at)) result.push_back(parse_option("--at", text));
-  return result;
-}
+std::vector<Rational> Parameters::given() const { return parse_list_option("--at", at); }
 
 std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> parts;
@@ -407,6 +403,13 @@ Rational parse_positive_option(const std::string& option, const std::string& tex
 
 Angle parse_angle_option(const std::string& option, const std::string& text) {
   return at_place(option, ", ", [&] { return parse_angle(with_plain_minus(text)); });
+}
+
+std::vector<Rational> parse_list_option(const std::string& option,
+                                        const std::vector<std::string>& lists) {
+  std::vector<Rational> numbers;
+  for (const std::string& text : split(lists)) numbers.push_back(parse_option(option, text));
+  return numbers;
 }
 
 Vector<Rational> parse_vector_option(const std::string& option, const std::string& text) {

@@ -100,6 +100,9 @@ struct Parameters {
 /// The parts of lists separated by commas, in order, without blanks around them; an empty part is a
 /// part.
 std::vector<std::string> split(const std::vector<std::string>& lists);
+/// The numbers in such lists; the place of an InputError is the option.
+std::vector<Rational> parse_list_option(const std::string& option,
+                                        const std::vector<std::string>& lists);
 
 /// The text with "-" for each "−" (U+2212), which reports have for a minus sign.
 std::string with_plain_minus(std::string text);

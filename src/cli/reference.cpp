@@ -58,22 +58,10 @@ std::string values_of(const CollectedCurve& curve) {
 }
 
 std::string list_of(const std::vector<CollectedCurve>& curves) {
-  std::vector<std::string> names{"name"};
-  std::vector<std::string> groups{"group"};
-  std::vector<std::string> kinds{"given by"};
-  for (const CollectedCurve& curve : curves) {
-    names.push_back(curve.name);
-    groups.push_back(curve.group);
-    kinds.push_back(kind_of(curve));
-  }
-  names = aligned(names);
-  groups = aligned(groups);
-  kinds = aligned(kinds);
-  std::string text = fmt::format("{}  {}  {}  values\n", names[0], groups[0], kinds[0]);
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    text += fmt::format("{}  {}  {}  {}\n", names[k + 1], groups[k + 1], kinds[k + 1],
-                        values_of(curves[k]));
-  return text;
+  std::vector<std::vector<std::string>> rows{{"name", "group", "given by", "values"}};
+  for (const CollectedCurve& curve : curves)
+    rows.push_back({curve.name, curve.group, kind_of(curve), values_of(curve)});
+  return columns_text(rows);
 }
 
 std::string lines_of(const std::vector<CollectedCurve>& curves) {
@@ -128,8 +116,8 @@ void write_plainly(const fs::path& file, const std::string& bytes) {
 /// At n equally spaced t.
 FrameTable sampled_frames(const NamedPath& named, long n) {
   std::vector<Place> at;
-  for (long k = 0; k < n; ++k)
-    at.emplace_back(locate(named.path, Rational(k, n - 1) * named.path.end()));
+  for (ParameterPoint& point : Parametrization(named, ParameterKind::t).samples(n))
+    at.push_back(std::move(point.at));
   return frame_table(angle_to(std::nullopt, named.path), TableColumns{{TabulatedFrame::rmf}}, at);
 }
 
@@ -138,11 +126,10 @@ std::vector<long> sample_counts(const std::vector<std::string>& lists) {
   std::vector<long> counts;
   for (const std::string& text : split(lists)) {
     const Rational n = parse_option("--samples", text);
-    const bool is_whole = to_string(n).find('/') == std::string::npos;
-    if (!is_whole || n < 2 || n > 100'000)
+    if (denominator(n) != 1 || n < 2 || n > 100'000)
       throw InputError("--samples", fmt::format("\"{}\" is no whole number from 2 to 100000",
                                                 abbreviated(text)));
-    counts.push_back(std::stol(to_string(n)));
+    counts.push_back(static_cast<long>(numerator(n)));
   }
   return counts;
 }

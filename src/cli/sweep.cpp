@@ -44,11 +44,8 @@ RationalFunction scale_of(const SweepOptions& options) {
 SweepScale sweep_scale_of(const SweepOptions& options) {
   if (options.scale_column)
     return SweepScale(options.curve.column("--scale-column", *options.scale_column));
-  const std::vector<std::string> parts = split({options.scale});
-  if (parts.size() == 1) return scale_of(options);
-  std::vector<Rational> values;
-  for (const std::string& part : parts) values.push_back(parse_option("--scale", part));
-  return SweepScale(values);
+  if (split({options.scale}).size() == 1) return scale_of(options);
+  return SweepScale(parse_list_option("--scale", {options.scale}));
 }
 
 /// By `parse` where it is given in a word, by `read` from a file.

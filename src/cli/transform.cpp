@@ -20,12 +20,6 @@ struct TransformOptions {
   std::optional<std::string> move;
 };
 
-std::vector<Rational> numbers(const std::string& option, const std::string& text) {
-  std::vector<Rational> values;
-  for (const std::string& part : split({text})) values.push_back(parse_option(option, part));
-  return values;
-}
-
 /// "z,90deg" or "1,2,2,pi/3".
 AffineMap rotation(const std::string& text) {
   std::vector<std::string> parts = split({text});
@@ -39,20 +33,15 @@ AffineMap rotation(const std::string& text) {
   else
     throw InputError("--rotate", "\"" + abbreviated(text) +
                                      "\" is no axis with an angle, \"z,90deg\" or \"1,2,2,pi/3\"");
-  const RationalQuaternion p = at_option(
-      "--rotate", [&] { return rotation_about(axis, parse_angle_option("--rotate", angle)); });
-  const Rational inverse = 1 / norm(p);
-  AffineMap map;
-  for (std::size_t k = 0; k < 3; ++k)
-    map.columns[k] = k == 0 ? rotated_i(p) : k == 1 ? rotated_j(p) : rotated_k(p);
-  for (auto& column : map.columns)
-    for (Rational& x : column) x *= inverse;
-  return map;
+  return {
+      rotation_columns(at_option(
+          "--rotate", [&] { return rotation_about(axis, parse_angle_option("--rotate", angle)); })),
+      {}};
 }
 
 /// By rows: 9 numbers of M, 12 of M and v, or 16 with 0, 0, 0, 1 below.
 AffineMap matrix(const std::string& text) {
-  const std::vector<Rational> m = numbers("--matrix", text);
+  const std::vector<Rational> m = parse_list_option("--matrix", {text});
   if (m.size() != 9 && m.size() != 12 && m.size() != 16)
     throw InputError("--matrix", std::to_string(m.size()) +
                                      " numbers are no matrix: 9, 12 or 16 are, row by row");
@@ -83,10 +72,9 @@ AffineMap asked_map(const TransformOptions& options) {
 TransformQuery query(const TransformOptions& options) {
   TransformQuery query;
   query.by = choose("--by", options.by, parameter_kinds());
-  for (const std::string& text : split(options.split))
-    query.split.push_back(parse_option("--split", text));
+  query.split = parse_list_option("--split", options.split);
   if (options.part) {
-    const auto ends = numbers("--part", *options.part);
+    const auto ends = parse_list_option("--part", {*options.part});
     if (ends.size() != 2)
       throw InputError("--part", "\"" + abbreviated(*options.part) + "\" is not FROM,TO");
     query.part = {ends[0], ends[1]};

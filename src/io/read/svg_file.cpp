@@ -261,6 +261,10 @@ class SvgDrawing {
   /// `whole` is what percentages are of.
   std::optional<Rational> length(const SvgElement& element, std::string_view name,
                                  const std::optional<Rational>& whole) const;
+  /// Moved by the x and y of the element.
+  PlaneMap placed(const SvgElement& element, const PlaneMap& map, const Size& size) const;
+  /// The numbers of its viewBox, where it has one.
+  std::optional<std::array<Rational, 4>> view_box(const SvgElement& element) const;
   PlaneMap viewport(const SvgElement& element, const SvgElement* use, const PlaneMap& map,
                     Size& size) const;
 
@@ -277,12 +281,7 @@ class SvgDrawing {
 /// That of its viewBox, which is not applied, or else what it says in px.
 SvgDrawing::Size SvgDrawing::outer_size(const SvgElement& root) const {
   try {
-    if (const auto box = root.attribute("viewBox")) {
-      SvgNumbers in(text_.substr(0, box->end), box->begin);
-      std::array<Rational, 4> view;
-      for (Rational& x : view) x = in.number();
-      return PlaneVector{view[2], view[3]};
-    }
+    if (const auto view = view_box(root)) return PlaneVector{(*view)[2], (*view)[3]};
     const auto width = length(root, "width", {}), height = length(root, "height", {});
     if (width && height) return PlaneVector{*width, *height};
   } catch (const InputError&) {
@@ -303,6 +302,24 @@ std::optional<Rational> SvgDrawing::length(const SvgElement& element, std::strin
   return *whole / 100 * *hundredths;
 }
 
+PlaneMap SvgDrawing::placed(const SvgElement& element, const PlaneMap& map,
+                            const Size& size) const {
+  const auto place = [&](std::size_t k, std::string_view name) {
+    return length(element, name, size ? std::optional((*size)[k]) : std::nullopt)
+        .value_or(Rational(0));
+  };
+  return composed(map, translation(place(0, "x"), place(1, "y")));
+}
+
+std::optional<std::array<Rational, 4>> SvgDrawing::view_box(const SvgElement& element) const {
+  const auto box = element.attribute("viewBox");
+  if (!box) return std::nullopt;
+  SvgNumbers in(text_.substr(0, box->end), box->begin);
+  std::array<Rational, 4> view;
+  for (Rational& x : view) x = in.number();
+  return view;
+}
+
 /// x, y, width and height are those of the element, the latter two those of the <use> where it has
 /// them; its viewBox fills that as preserveAspectRatio says. `size` becomes that of the viewBox.
 PlaneMap SvgDrawing::viewport(const SvgElement& element, const SvgElement* use, const PlaneMap& map,
@@ -314,20 +331,15 @@ PlaneMap SvgDrawing::viewport(const SvgElement& element, const SvgElement* use, 
     if (!found) found = length(element, name, whole);
     return found ? found : whole;
   };
-  const auto place = [&](std::size_t k, std::string_view name) {
-    return length(element, name, size ? std::optional((*size)[k]) : std::nullopt)
-        .value_or(Rational(0));
-  };
-  const PlaneMap moved = composed(map, translation(place(0, "x"), place(1, "y")));
+  const PlaneMap moved = placed(element, map, size);
   const auto width = side(0, "width");
   const auto height = side(1, "height");
   size = width && height ? Size(PlaneVector{*width, *height}) : std::nullopt;
-  const auto box = element.attribute("viewBox");
+  const auto box = view_box(element);
   if (!box) return moved;
-  SvgNumbers in(text_.substr(0, box->end), box->begin);
-  std::array<Rational, 4> view;
-  for (Rational& x : view) x = in.number();
-  if (view[2] <= 0 || view[3] <= 0) fail(box->begin, "a viewBox without a size");
+  const auto& view = *box;
+  if (view[2] <= 0 || view[3] <= 0)
+    fail(element.attribute("viewBox")->begin, "a viewBox without a size");
   if (!size)
     fail(element.at, "the size of what a viewBox fills is not known: width and height are wanted");
   PlaneVector scale{(*size)[0] / view[2], (*size)[1] / view[3]};
@@ -360,10 +372,7 @@ void SvgDrawing::draw_used(const SvgElement& use, const PlaneMap& map, const Siz
   if (std::ranges::find(uses_, &use) != uses_.end() || uses_.size() == deepest)
     fail(use.at, "<use> refers to itself, or too deeply");
   uses_.push_back(&use);
-  const auto place = [&](std::size_t k, std::string_view name) {
-    return length(use, name, size ? std::optional((*size)[k]) : std::nullopt).value_or(Rational(0));
-  };
-  draw(*target->second, composed(map, translation(place(0, "x"), place(1, "y"))), size, &use);
+  draw(*target->second, placed(use, map, size), size, &use);
   uses_.pop_back();
 }
 

@@ -36,21 +36,12 @@ std::string brief_parameter(const Rational& t, const TableReading& reading) {
   return with_minus_sign(round_to_decimal(t, 12).value) + "…";
 }
 
-/// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
-/// and the radius.
-Decimal rounded(const RealBall& x) {
-  const Rational middle = x.midpoint();
-  Decimal text = round_to_decimal(middle, 10);
-  text.radius = upper_bound_text(abs(middle) / 2 * power_of_ten(-9) + x.radius());
-  return text;
-}
-
 std::string shown(const RealBall& x) {
   const bool is_tiny = x.contains_zero() || x.upper() - x.lower() > abs(x.upper()) / 1000;
   return is_tiny
              ? "0 ± " +
                    upper_bound_text(std::max(Rational(abs(x.lower())), Rational(abs(x.upper()))))
-             : shown(rounded(x));
+             : shown(rounded_with_radius(x));
 }
 
 /// The name of a kind in JSON.
@@ -209,7 +200,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     const FrameDeviation& at = v.deviations[k];
     const auto& error = v.errors[k];
     samples.push_back({{"t", to_string(answer.frames[k].t)},
-                       {"error", error ? json_of(rounded(*error)) : JsonOutput()},
+                       {"error", error ? json_of(rounded_with_radius(*error)) : JsonOutput()},
                        {"orthogonality", upper(at.orthogonality, 2)},
                        {"length", upper(at.length, 2)},
                        {"handedness", at.handedness}});
@@ -221,14 +212,15 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
                         {"samples", finding.samples}});
     if (finding.up) findings.back()["up"] = phrame::json_of(*finding.up);
   }
+  JsonOutput max_error = json_of_bounds(v.max_error);
+  max_error["sample"] = v.worst_sample;
   JsonOutput json = {
       {"phrame", "check/1"},
       {"name", answer.path.name},
       {"verdict", v.passes ? "pass" : "fail"},
       {"tolerance", to_string(answer.options.tolerance)},
-      {"max_error",
-       {{"lower", lower(v.max_error)}, {"upper", upper(v.max_error)}, {"sample", v.worst_sample}}},
-      {"drift", v.drift ? json_of(rounded(*v.drift)) : JsonOutput()},
+      {"max_error", max_error},
+      {"drift", v.drift ? json_of(rounded_with_radius(*v.drift)) : JsonOutput()},
       {"orthogonality", upper(v.orthogonality, 2)},
       {"length", upper(v.length, 2)},
       {"findings", findings},

@@ -170,6 +170,11 @@ JsonOutput json_of(const PathEnd& end) {
 
 JsonOutput json_if_known(const std::optional<bool>& x) { return x ? JsonOutput(*x) : JsonOutput(); }
 
+JsonOutput json_of_bounds(const RealBall& x) {
+  return {{"lower", lower_bound_text(std::max(Rational(0), x.lower()), 6)},
+          {"upper", upper_bound_text(x.upper(), 6)}};
+}
+
 JsonOutput json_of(const Decimal& x) { return {{"value", x.value}, {"radius", x.radius}}; }
 
 void add_values(JsonOutput& json, const std::vector<AngleValue>& values, ParameterKind by) {

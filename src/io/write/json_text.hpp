@@ -39,6 +39,8 @@ JsonOutput json_of(const RadicalForm& F);
 JsonOutput json_of(const PathEnd& end);
 /// {"value": "…", "radius": "…"}.
 JsonOutput json_of(const Decimal& x);
+/// {"lower": "…", "upper": "…"}, bounds of a number ≥ 0 with six digits.
+JsonOutput json_of_bounds(const RealBall& x);
 /// "values": [{"t": "…", "theta": "…", "radius": "…"}, …]; where they were asked for by another
 /// parameter "by": "native" before it, and the value of that in each: {"native": "…", "t": …}.
 void add_values(JsonOutput& json, const std::vector<AngleValue>& values, ParameterKind by);

@@ -13,23 +13,10 @@ namespace {
 /// The first row is the head.
 using Table = std::vector<std::vector<std::string>>;
 
-std::string table_text(const Table& table) {
-  std::vector<std::string> lines(table.size());
-  for (std::size_t column = 0; column < table.front().size(); ++column) {
-    std::vector<std::string> cells;
-    for (const auto& row : table) {
-      const std::string& cell = row[column];
-      cells.push_back(cell.starts_with('-') ? "−" + cell.substr(1) : cell);
-    }
-    cells = aligned(cells);
-    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] += "  " + cells[k];
-  }
-  std::string text;
-  for (std::string& line : lines) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
+std::string table_text(Table table) {
+  for (auto& row : table)
+    for (std::string& cell : row) cell = with_minus_sign(cell);
+  return columns_text(table, "  ");
 }
 
 /// "1.3e-7" as $1.3 \cdot 10^{-7}$, a dash as "--".
@@ -110,10 +97,7 @@ std::string some_of(const std::vector<std::string>& names) {
 }
 
 JsonOutput number_json(const std::optional<RealBall>& x) {
-  if (!x) return nullptr;
-  Decimal value = round_to_decimal(x->midpoint(), 10);
-  value.radius = upper_bound_text(abs(x->midpoint()) / 2 * power_of_ten(-9) + x->radius());
-  return json_of(value);
+  return x ? json_of(rounded_with_radius(*x)) : JsonOutput();
 }
 
 JsonOutput bound_json(const std::optional<Rational>& x) {
@@ -126,9 +110,7 @@ JsonOutput json_of(const Convergence& found) {
     const StepError& at = found.steps[k];
     steps.push_back({{"samples", at.samples},
                      {"step", to_string(at.step)},
-                     {"error",
-                      {{"lower", lower_bound_text(std::max(Rational(0), at.error.lower()), 6)},
-                       {"upper", upper_bound_text(at.error.upper(), 6)}}},
+                     {"error", json_of_bounds(at.error)},
                      {"rate", k == 0 ? JsonOutput() : number_json(found.rates[k - 1])}});
   }
   return {{"order", number_json(found.order)}, {"steps", steps}};
@@ -142,8 +124,7 @@ JsonOutput json_of(const SuiteRow& row) {
   }
   json["verdict"] = row.passes ? "pass" : "fail";
   json["samples"] = row.samples;
-  json["max_error"] = {{"lower", lower_bound_text(std::max(Rational(0), row.max_error.lower()), 6)},
-                       {"upper", upper_bound_text(row.max_error.upper(), 6)}};
+  json["max_error"] = json_of_bounds(row.max_error);
   json["flips"] = row.flips;
   json["orthogonality"] = upper_bound_text(row.orthogonality.upper());
   json["drift"] = number_json(row.drift);

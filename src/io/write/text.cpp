@@ -102,6 +102,30 @@ std::vector<std::string> aligned(const std::vector<std::string>& texts) {
   return column;
 }
 
+Decimal rounded_with_radius(const RealBall& x) {
+  const Rational middle = x.midpoint();
+  Decimal text = round_to_decimal(middle, 10);
+  text.radius = upper_bound_text(abs(middle) / 2 * power_of_ten(-9) + x.radius());
+  return text;
+}
+
+std::string columns_text(const std::vector<std::vector<std::string>>& rows,
+                         std::string_view margin) {
+  std::vector<std::string> lines(rows.size(), std::string(margin));
+  for (std::size_t column = 0; column < rows.front().size(); ++column) {
+    std::vector<std::string> cells;
+    for (const auto& row : rows) cells.push_back(row[column]);
+    cells = aligned(cells);
+    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] += (column == 0 ? "" : "  ") + cells[k];
+  }
+  std::string text;
+  for (std::string& line : lines) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
 std::string readable(std::string text, const Polynomial& p) {
   return readable(std::move(text), summary(p.degree(), longest_coefficient(p)));
 }

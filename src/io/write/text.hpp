@@ -21,6 +21,9 @@ std::string indented(std::string_view text, std::string_view line);
 
 /// The texts with blanks behind them, all equally wide in either length.
 std::vector<std::string> aligned(const std::vector<std::string>& texts);
+/// Rows of equally many texts below each other, a line each behind `margin`.
+std::string columns_text(const std::vector<std::vector<std::string>>& rows,
+                         std::string_view margin = "");
 /// `text`, or, where it is longer than a screen line can bear, a passage: abridged, it says what
 /// the polynomial is, "⟨degree 160, coefficients of up to 53 digits⟩".
 std::string readable(std::string text, const Polynomial& p);
@@ -59,6 +62,9 @@ std::string shown(const FrameAngle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
 /// @}
+/// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
+/// and the radius.
+Decimal rounded_with_radius(const RealBall& x);
 /// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.
 std::string shown(const Real& x, const Decimal& rounded);
 std::string shown(const Interval& interval);

@@ -50,13 +50,12 @@ Columns polar_factor(Columns m) {
   return m;
 }
 
-/// Its axes.
-Columns axes_of(const RationalQuaternion& p) {
+}  // namespace
+
+std::array<Vector<Rational>, 3> rotation_columns(const RationalQuaternion& p) {
   const Rational scale = 1 / norm(p);
   return {scale * rotated_i(p), scale * rotated_j(p), scale * rotated_k(p)};
 }
-
-}  // namespace
 
 std::string name_of(const TangentAxis& axis) {
   return std::string(axis.is_reversed ? "-" : "") + "xyz"[axis.axis];
@@ -82,7 +81,7 @@ std::optional<Orientation> nearest_rotation(const std::array<Vector<Rational>, 3
   const Rational size = std::max({abs(near.u), abs(near.v), abs(near.p), abs(near.q)});
   constexpr long places = 64;
   const RationalQuaternion p = rounded_to_places(Rational(1 / size) * near, places);
-  const Columns axes = axes_of(p);
+  const Columns axes = rotation_columns(p);
   Rational square;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector<Rational> off = axes[k] - columns[k];

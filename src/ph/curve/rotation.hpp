@@ -34,6 +34,9 @@ struct Orientation {
   friend bool operator==(const Orientation&, const Orientation&) = default;
 };
 
+/// The images of x, y, z by the rotation v ↦ P v P*/|P|², P ≠ 0: the columns of its matrix.
+PHRAME_API std::array<Vector<Rational>, 3> rotation_columns(const RationalQuaternion& p);
+
 /// The rotation next to a matrix with these columns, in the least squares of their distances: that
 /// of its polar decomposition, exactly where the columns are orthonormal, else to some 60 bits. No
 /// value where two columns are not orthogonal, or one is not of length 1, to within 1/100, and

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -15,11 +16,6 @@ namespace {
 
 constexpr long foot_bits = 256;
 constexpr long foot_places = 128;
-
-Rational foot_rounded(const Rational& x) {
-  const Rational unit = power_of_two(-foot_places);
-  return unit * Rational(floor(x / unit));
-}
 
 /// Where near s the base is nearest to the point, by Newton's method; a guess.
 std::optional<Rational> foot(const Vector<Polynomial>& base, const Vector<Rational>& at,
@@ -41,7 +37,7 @@ std::optional<Rational> foot(const Vector<Polynomial>& base, const Vector<Ration
     }
     const RealBall next = subtract(here, divide(f, slope, foot_bits), foot_bits);
     if (!next.is_finite()) return std::nullopt;
-    s = foot_rounded(next.midpoint());
+    s = rounded_to_places(next.midpoint(), foot_places);
     if (s < -1 || s > 2) return std::nullopt;
   }
   return s;

@@ -24,12 +24,6 @@ bool is_next_double(const Rational& entry, const Real& exact, const Rational& sl
   return false;
 }
 
-bool is_negative_at_start(const Polynomial& f) {
-  for (long k = 0; k <= f.degree(); ++k)
-    if (f.coefficient(k) != 0) return f.coefficient(k) < 0;
-  return false;
-}
-
 }  // namespace
 
 const std::vector<std::string>& certified_columns() {
@@ -43,7 +37,7 @@ std::string objection_to_table(const Certificate& c,
   if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
   if (rows.size() != c.claims.size())
     return fmt::format("it has {} rows, and there are {} angles", rows.size(), c.claims.size());
-  if (is_negative_at_start(c.curve.multiplier())) return "the multiplier is negative at the start";
+  if (sign_after_zero(c.curve.multiplier()) < 0) return "the multiplier is negative at the start";
   const Path path(c.curve);
   const PathAngle angle(path);
   const Vector<Real> first = tangent(path, {0, Rational(0)});
