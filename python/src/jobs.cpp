@@ -11,11 +11,13 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace phrame::inline v0::python {
 namespace {
 
-/// Threads that live as long as the process: what FLINT keeps for each of them is kept once.
+/// Threads that live as long as the process: what FLINT keeps for each of them is kept once. Of
+/// those that are idle the one that worked last goes on, since it has that already.
 class Pool {
  public:
   /// Of this process: a child after fork() has none of its parent's threads.
@@ -46,21 +48,36 @@ class Pool {
       tasks_.push_front(std::move(task));
     else
       tasks_.push_back(std::move(task));
-    if (idle_ < tasks_.size() && (threads_ < limit_ + left_ || is_urgent)) {
+    if (idle_.size() + called_ < tasks_.size() && (threads_ < limit_ + left_ || is_urgent)) {
       std::thread([this] { serve(); }).detach();
       ++threads_;
     }
-    ready_.notify_one();
+    if (idle_.empty()) return;
+    Idle& last = *idle_.back();
+    idle_.pop_back();
+    ++called_;
+    last.is_called = true;
+    last.ready.notify_one();
   }
 
  private:
+  /// A thread that waits for a task.
+  struct Idle {
+    std::condition_variable ready;
+    bool is_called = false;
+  };
+
   void serve() {
     prepare_thread();
+    Idle self;
     std::unique_lock guard(lock_);
     while (true) {
-      ++idle_;
-      ready_.wait(guard, [this] { return !tasks_.empty(); });
-      --idle_;
+      while (tasks_.empty()) {
+        idle_.push_back(&self);
+        self.ready.wait(guard, [&self] { return self.is_called; });
+        self.is_called = false;
+        --called_;
+      }
       const auto task = std::move(tasks_.front());
       tasks_.pop_front();
       guard.unlock();
@@ -73,10 +90,10 @@ class Pool {
   std::mutex lock_;
   std::size_t limit_ = 1;
   std::size_t left_ = 0;
-  std::condition_variable ready_;
   std::deque<std::function<void()>> tasks_;
   std::size_t threads_ = 0;
-  std::size_t idle_ = 0;
+  std::vector<Idle*> idle_;
+  std::size_t called_ = 0;  ///< that were idle, and have not yet looked for their task
 };
 
 /// That of phrame.set_time_limit().
