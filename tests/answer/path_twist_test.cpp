@@ -202,8 +202,8 @@ TEST_CASE("frame through orientations: no other way to turn has less of what is 
     CHECK(twist.rate(before).enclose(100).overlaps(twist.rate(behind).enclose(100)));
     CHECK(twist.rate_slope(before).enclose(100).overlaps(twist.rate_slope(behind).enclose(100)));
   }
-  CHECK(abs(as_double(twist.rate_slope({0, Rational(0)}))) < 1e-15);
-  CHECK(abs(as_double(twist.rate_slope({2, Rational(1)}))) < 1e-15);
+  CHECK(std::abs(as_double(twist.rate_slope({0, Rational(0)}))) < 1e-15);
+  CHECK(std::abs(as_double(twist.rate_slope({2, Rational(1)}))) < 1e-15);
 }
 
 TEST_CASE(
