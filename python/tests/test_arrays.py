@@ -194,7 +194,7 @@ def test_parameters_of_files_and_of_lengths_are_named_by_by():
             if by == "native" and path is QUINTIC:
                 continue
             ends = [float(x) for x in path.domain(by)]
-            for n in (2, 3, 7, 10):
+            for n in (3, 10):
                 assert path.frames(np.linspace(*ends, n), by=by).shape == (n, 3, 3)
     for moved in (pickle.loads(pickle.dumps(helix)), helix.translated([1, 0, 0]), helix.scaled(2)):
         assert [float(x) for x in moved.domain("native")] == [0, 4 * np.pi]

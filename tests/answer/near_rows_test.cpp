@@ -50,7 +50,7 @@ double compare_rows(const Path& path, bool is_by_length, long count, long step,
 
 /// Also with other starts.
 void check_rows(const Path& path, long step = 97) {
-  const long more = test::everyday(3, 1);
+  const long more = test::everyday(6, 1);
   CHECK(compare_rows(path, false, 3001, more * step) > 0.9);
   CHECK(compare_rows(path, true, 1501, more * step) > 0.9);
   CHECK(compare_rows(path, false, 3001, 3 * more * step, StartNormal({3, -1, 2})) > 0.9);
@@ -79,7 +79,7 @@ TEST_CASE("near rows: of curves of many kinds they are the exact ones, and nearl
       for (int k = 0; k <= 20; ++k) c.emplace_back(random.integer(-9, 9));
       *p = Polynomial(c);
     }
-    check_rows(Path(Curve(a)), 211);
+    check_rows(Path(Curve(a)), 401);
   }
   SUBCASE("closed, of four segments") { check_rows(Path(test::chain(test::quarters()))); }
   SUBCASE("with corners") {
@@ -116,9 +116,9 @@ TEST_CASE("near rows: of a curve that turns back they are the exact ones") {
   CHECK(compare_rows(path, true, 1501, 401) == 0);
 }
 
-// Every day of every twentieth line.
+// Every day of every fortieth line.
 TEST_CASE("near rows: along the collections they are the exact ones") {
-  const long every = test::everyday(20, 1);
+  const long every = test::everyday(40, 1);
   std::istringstream lines(test::read_data("curves.jsonl"));
   long curves = 0;
   double share = 0;

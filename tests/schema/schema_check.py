@@ -159,10 +159,11 @@ def check_command_line(folder):
     for table in [*(here / "tables5").rglob("plane-01.csv"), *(here / "tables5").rglob("corners-03.csv")]:
         table.unlink()
     ask("check", quintic, here / "tables5", "--order", "--print", "json")
-    for points in (ROOT / "examples" / "paths").iterdir():
-        for kind in ("quintic", "planar", "cubic", "helical", "rrmf", "rmf", "c2", "c2-hermite"):
-            ask("construct", points, "--kind", kind, "--print", "json")
-            ask("construct", points, "--kind", kind, "--print", "curve")
+    kinds = ("quintic", "planar", "cubic", "helical", "rrmf", "rmf", "c2", "c2-hermite")
+    for k, points in enumerate(sorted((ROOT / "examples" / "paths").iterdir())):
+        for n, kind in enumerate(kinds):  # every day one of the two, now of these points and now of those
+            for form in ("json", "curve") if EVERYTHING else (("json", "curve")[(k + n) % 2],):
+                ask("construct", points, "--kind", kind, "--print", form)
     for twist in ([], ["--smooth-twist"]):
         posed = here / "posed.json"
         weld = ROOT / "examples" / "paths" / "weld.csv"
@@ -239,7 +240,7 @@ def check_conditions(takes_line):
             elif option["key"] and option["key"] != "time_limit":
                 rest.append({option["key"]: value_of(option)})
         pairs = [{**base, **first, **second} for first, second in itertools.combinations_with_replacement(rest, 2)]
-        lines += pairs[:: 1 if EVERYTHING else 4]
+        lines += pairs[:: 1 if EVERYTHING else 7]
         lines.append({**base, "unknown": 1})
         lines.append({key: value for key, value in base.items() if key != command["options"][0]["key"]})
     refused = 0

@@ -1,7 +1,9 @@
 #include "phrame/ph/offset/offset.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
@@ -74,9 +76,20 @@ long sampled_crossings(const Offset& offset, long samples) {
                cross(e.second - e.first, f.second - e.first) <
            0;
   };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 2; j < edges.size(); ++j)
-      if (sides(edges[i], edges[j]) && sides(edges[j], edges[i])) ++count;
+  const auto left = [&](std::size_t i) {
+    return std::min(edges[i].first.real(), edges[i].second.real());
+  };
+  std::vector<std::size_t> from_left(edges.size());
+  std::iota(from_left.begin(), from_left.end(), 0);
+  std::ranges::sort(from_left, {}, left);
+  for (auto i = from_left.begin(); i != from_left.end(); ++i) {
+    const auto& e = edges[*i];
+    const double right = std::max(e.first.real(), e.second.real());
+    for (auto j = i + 1; j != from_left.end() && left(*j) <= right; ++j) {
+      const bool are_neighbours = *i + 1 == *j || *j + 1 == *i;
+      if (!are_neighbours && sides(e, edges[*j]) && sides(edges[*j], e)) ++count;
+    }
+  }
   return count;
 }
 

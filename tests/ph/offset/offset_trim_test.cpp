@@ -171,7 +171,7 @@ void check_trimmed(const PhPath& path, const TrimmedOffset& found) {
       CHECK(std::abs(gap) < 1e-7 * (1 + d));
     }
   }
-  constexpr long samples = 20;
+  constexpr long samples = 12;
   for (std::size_t k = 0; k < left.size(); ++k)
     for (long j = 0; j < samples; ++j) {
       const double t = (double(j) + 0.37) / samples;
@@ -196,7 +196,7 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
   long branches = 0;
   long samples = 0;
   long undecided = 0;
-  for_samples(6, [&](Random& random) {
+  for_samples(4, [&](Random& random) {
     const std::array<long, 3> turns{1, 2, 4};
     const PhPath path = random_path(random, turns[std::size_t(random.integer(0, 2))]);
     const Rational d = Rational(random.integer(0, 1) == 0 ? -1 : 1) *
@@ -209,7 +209,7 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
     ++samples;
     if (!found.undecided.empty()) ++undecided;
   });
-  CHECK(branches >= 10);
+  CHECK(branches >= 6);
   // Next to near-cusps a place may stay undecided, which is said.
   CHECK(10 * undecided <= samples);
 }
