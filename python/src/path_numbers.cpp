@@ -344,12 +344,11 @@ void bind_places(PathClass& path) {
           "bounding_box", [](nb::handle self) { return bounding_box(self); },
           nb::sig("def bounding_box(self) -> tuple[tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG
                   "], ...]"),
-          "Of polynomial and rational curves from where to where x, y and z go, by the "
-          "roots of their derivatives.")
+          "From where to where x, y and z go, by the zeros of their derivatives.")
       .def("nearest", nearest, argument("point"),
            nb::sig("def nearest(self, point: Vector) -> tuple[" PHRAME_REAL_SIG ", " PHRAME_REAL_SIG
                    "]"),
-           "Where such a curve is nearest to the point: t, and the distance.")
+           "Where the path is nearest to the point: t, and the distance.")
       .def("domain", domain, argument("by") = "t",
            nb::sig("def domain(self, " PHRAME_BY_SIG ") -> tuple[" PHRAME_REAL_SIG
                    ", " PHRAME_REAL_SIG "]"),

@@ -34,9 +34,9 @@ void add_info(Program& program) {
                      "text (default), json or latex");
   options->length.add_to(command);
   command.add_flag("--box", options->wants_box,
-                   "the box around polynomial and rational curves, exactly: x, y and z from, to");
+                   "the box around the path, exactly: x, y and z from, to");
   command.add_option("--nearest", "X,Y,Z", options->nearest,
-                     "where such a curve is nearest to this point, and how near");
+                     "where the path is nearest to this point, and how near");
   command.set_notes(
       "In JSON, arc_length is an exact text, or a value with its radius where the multiplier\n"
       "changes sign on [0, 1] and it is irrational; bending_energy is null where it is infinite.\n"

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "support/expression_curves.hpp"
 #include "support/random.hpp"
 
 namespace nearest_test {
@@ -72,7 +73,7 @@ TEST_CASE("nearest point: nearer than any of many points, and across the tangent
   }
 }
 
-TEST_CASE("nearest point: of a line and of a circle by hand, and of formulas none") {
+TEST_CASE("nearest point: of a line and of a circle by hand") {
   const Path line = read_any_path("M0 0L4 0L4 4").path;
   const PathExtreme near = nearest_point(line, {1, 2, 2});
   CHECK(near.at.t.exact() == Rational(1, 4));
@@ -82,11 +83,52 @@ TEST_CASE("nearest point: of a line and of a circle by hand, and of formulas non
   const PathExtreme on_circle =
       nearest_point(read_any_path("<svg><circle r='5'/></svg>").path, {6, 8, 0});
   CHECK(number(on_circle) == doctest::Approx(5).epsilon(1e-15));
-  const Path formulas = read_any_path(R"json({"phrame": "curve/1", "expressions":
-      {"x": "cos(s)", "y": "sin(s)", "z": "exp(s)", "variable": "s", "from": 0, "to": 1}})json")
-                            .path;
-  CHECK_THROWS_AS(nearest_point(formulas, {0, 0, 0}), DomainError);
-  CHECK_THROWS_AS(bounding_box(formulas), DomainError);
+}
+
+// |r − (0, 0, 4c)|² = 9 + 16(s − c)² along (3 cos s, 3 sin s, 4s).
+TEST_CASE("nearest point: of formulas by hand") {
+  const Path helix(test::expression_curve({"3*cos(s)", "3*sin(s)", "4*s"}, "0", "10"));
+  for (const Rational& c : {Rational(1, 3), Rational(7), Rational(99, 10)}) {
+    const PathExtreme near = nearest_point(helix, {0, 0, 4 * c});
+    CHECK(round_to_decimal(near.at.t, 30).value == round_to_decimal(Real(c / 10), 30).value);
+    CHECK(round_to_decimal(near.value, 30).value == "3.00000000000000000000000000000");
+  }
+  CHECK(nearest_point(helix, {0, 0, 44}).at.t.exact() == Rational(1));
+  const auto box = bounding_box(helix);
+  CHECK(number(box[0].least) == -3);
+  CHECK(box[0].greatest.value.exact() == Rational(3));                                  // at s = 0
+  CHECK(round_to_decimal(box[1].greatest.at.t, 20).value == "0.15707963267948966192");  // π/20
+  CHECK(number(box[1].least) == -3);
+  CHECK(box[2].least.value.exact() == Rational(0));
+  CHECK(box[2].greatest.value.exact() == Rational(40));
+  const Path path(test::expression_curve({"s", "cosh(s)", "0"}, "0", "1"));
+  CHECK(nearest_point(path, {Rational(-1), 1, 0}).at.t.exact() == Rational(0));
+  CHECK(round_to_double(nearest_point(path, {9, 0, 0}).value) ==
+        doctest::Approx(std::hypot(8, std::cosh(1.0))).epsilon(1e-15));
+  // Around the middle of a circle all points are as near.
+  const Path circle(test::expression_curve({"cos(s)", "sin(s)", "0"}, "0", "1"));
+  CHECK_THROWS_AS(nearest_point(circle, {0, 0, 1}), Undecided);
+  CHECK(number(bounding_box(circle)[2].greatest) == 0);
+}
+
+// The distance along all of the path, by many points.
+TEST_CASE("nearest point: of formulas nearer than any of many points") {
+  const Path path(test::expression_curve({"s", "exp(s)*cos(9*s)", "sin(7*s)"}, "-1", "1"));
+  Random random(12);
+  for (int sample = 0; sample < 4; ++sample) {
+    const Vector<Rational> p{random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)};
+    const PathExtreme nearest = nearest_point(path, p);
+    const double found = number(nearest);
+    double least = 1e9;
+    for (int k = 0; k <= 2000; ++k) {
+      const double s = -1 + k / 1000.0;
+      least = std::min(least, std::hypot(s - round_to_double(p[0]),
+                                         std::exp(s) * std::cos(9 * s) - round_to_double(p[1]),
+                                         std::sin(7 * s) - round_to_double(p[2])));
+    }
+    CHECK(found <= least * (1 + 1e-14));
+    CHECK(least - found < 1e-4);
+  }
 }
 
 }  // namespace nearest_test
