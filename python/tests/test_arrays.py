@@ -169,8 +169,11 @@ def test_boxes_and_nearest_points():
     assert least - 1e-6 < float(distance) <= least
     assert abs(np.linalg.norm(path.points([float(t)])[0] - [2, 1, 1]) - float(distance)) < 1e-15
     assert pickle.loads(pickle.dumps(distance)) == distance
-    with pytest.raises(phrame.DomainError, match="nearest: segment 1 is by formulas"):
-        phrame.Path.expressions("cos(s)", "exp(s)", "s", 0, 1).nearest([0, 0, 0])
+    helix = phrame.Path.expressions("3*cos(s)", "3*sin(s)", "4*s", 0, 4)  # |r − (0, 0, 8)|² = 9 + 16(s − 2)²
+    t, distance = helix.nearest([0, 0, 8])
+    assert float(t) == 0.5 and float(distance) == 3 and pickle.loads(pickle.dumps(distance)) == distance
+    with pytest.raises(phrame.Undecided, match="segment 1, by formulas: next to t = "):
+        phrame.Path.expressions("cos(s)", "sin(s)", "0", 0, 1).nearest([0, 0, 0])
 
 
 def test_parameters_of_files_and_of_lengths_are_named_by_by():

@@ -106,10 +106,11 @@ std::vector<Real> least_along(const SeriesAround& f, std::size_t segment) {
     const Rational middle = (part.from + part.to) / 2;
     const Rational half = (part.to - part.from) / 2;
     if (count == most_parts || half < power_of_two(-40))
-      throw Undecided(fmt::format(
-          "segment {}, by formulas: next to t = {} it is not told where the extreme is, as where "
-          "it is the same along an arc",
-          segment + 1, approximate(RealBall(middle, bits))));
+      throw Undecided(
+          fmt::format("segment {}, by formulas: next to t = {:.6g} it is not told where the "
+                      "extreme is, as where "
+                      "it is the same along an arc",
+                      segment + 1, approximate(RealBall(middle, bits))));
     best = std::min(best, f(RealBall(middle, bits), 1, bits).coefficient(0).upper());
     const BallPolynomial around = f(hull(part.from, part.to, bits), 3, bits);
     if (around.coefficient(0).is_finite() && around.coefficient(0).lower() > best) continue;
