@@ -4,7 +4,7 @@
 # "skipped". What tests have in common is in support/.
 PYTHONPATH=$(dirname "$0")/support
 export PYTHONPATH
-for python in ${PHRAME_PYTHON:-} /usr/bin/python3 python3; do
+for python in ${PHRAME_PYTHON:+"$PHRAME_PYTHON"} /usr/bin/python3 python3; do
   if command -v "$python" >/dev/null; then exec "$python" -B "$@"; fi
 done
 echo 'Python 3 is not installed'
