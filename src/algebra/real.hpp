@@ -33,22 +33,27 @@ class Real {
   explicit Real(Enclosure enclosure) : Real(std::move(enclosure), Origin()) {}
   /// A number of which more is known.
   Real(Enclosure enclosure, Origin origin)
-      : enclosure_(std::make_shared<const Enclosure>(std::move(enclosure))),
-        origin_(std::move(origin)) {}
+      : known_(std::make_shared<const Known>(Known{std::move(enclosure), std::move(origin)})) {}
 
   /// The number, where it is known exactly; without a value it may still be rational.
   const std::optional<Rational>& exact() const { return exact_; }
   /// What is known beside the enclosures; of an exact number, its bits.
-  Origin origin() const { return exact_ ? Origin{false, bits_of(*exact_), nullptr} : origin_; }
+  Origin origin() const {
+    return exact_ ? Origin{false, bits_of(*exact_), nullptr} : known_->origin;
+  }
   /// A ball around the number, narrower with more bits.
   RealBall enclose(long bits) const {
-    return exact_ ? RealBall(*exact_, bits) : (*enclosure_)(bits);
+    return exact_ ? RealBall(*exact_, bits) : known_->enclosure(bits);
   }
 
  private:
+  struct Known {
+    Enclosure enclosure;
+    Origin origin;
+  };
+
   std::optional<Rational> exact_;
-  std::shared_ptr<const Enclosure> enclosure_;
-  Origin origin_;
+  std::shared_ptr<const Known> known_;  ///< of a number that is not known exactly
 };
 
 /// @{ Exact where both operands are, and 0·x = 0. Sums of numbers that have an AngleForm are exact

@@ -86,9 +86,9 @@ InfoAnswer::Nearest nearest_to(const Path& path, const Vector<Rational>& p, long
 
 }  // namespace
 
-InfoAnswer answer(const NamedPath& named, const InfoQuery& query) {
-  const Path& path = named.path;
-  InfoAnswer answer{named, {}, {}, {}, {}, {}, is_straight(path), plane_normal(path)};
+InfoAnswer answer(NamedPath named, const InfoQuery& query) {
+  const Path path = named.path;
+  InfoAnswer answer{std::move(named), {}, {}, {}, {}, {}, is_straight(path), plane_normal(path)};
   const PathAngle angle(path);
   if (angle.reference() == Reference::up) {
     answer.up = angle.up();

@@ -58,6 +58,6 @@ struct InfoAnswer {
 };
 
 /// Throws Undecided, with the name of what it is, where a number cannot be rounded.
-PHRAME_API InfoAnswer answer(const NamedPath& path, const InfoQuery& query);
+PHRAME_API InfoAnswer answer(NamedPath path, const InfoQuery& query);
 
 }  // namespace phrame

@@ -19,8 +19,8 @@ void run(const InfoOptions& options) {
       "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
   InfoQuery query{options.digits, options.wants_box, {}};
   if (options.nearest) query.nearest = parse_vector_option("--nearest", *options.nearest);
-  const NamedPath path = options.curve.read_any_path();
-  options.length.write(options.curve.output, print(answer(path, query)));
+  NamedPath path = options.curve.read_any_path();
+  options.length.write(options.curve.output, print(answer(std::move(path), query)));
 }
 
 }  // namespace

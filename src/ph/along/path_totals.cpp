@@ -115,8 +115,9 @@ PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
     const Rational known = quotient * c;
     group.integrals.push_back({{known, exact_value(known)}});
   }
-  PathTotal total{std::move(segments), sum_of(terms.approximate), std::vector<PathTotal::Term>()};
-  if (!terms.approximate.empty()) total.exact.reset();
+  std::optional<std::vector<PathTotal::Term>> exact;
+  if (terms.approximate.empty()) exact.emplace();
+  PathTotal total{std::move(segments), sum_of(std::move(terms.approximate)), std::move(exact)};
   for (const Group& group : terms.groups) {
     const DefiniteIntegral sum = sum_of_integrals(group.integrals);
     total.value = total.value + square_root_of(group.radicand) * sum.value;
@@ -139,6 +140,7 @@ PathTotal sum_of(std::vector<PathTotal::OfSegment> segments) {
     return total;
   }
   Terms terms;
+  terms.approximate.reserve(segments.size());
   for (const auto& segment : segments)
     std::visit([&](const auto& of) { add_to(terms, of); }, segment);
   return sum_of(std::move(terms), std::move(segments));
@@ -178,6 +180,7 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
   if (form == nullptr || form->exact) return std::nullopt;
   const auto shared = std::make_shared<const Path>(path);
   std::vector<Real> terms;
+  terms.reserve(path.segments().size());
   constexpr long bits = first_bits_of_sums;
   RealBall value;
   RealBall rational;
@@ -194,7 +197,8 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
     rational = add(rational, RealBall(without_logarithms(rate), bits), bits);
   }
   if (value.overlaps(rational)) return std::nullopt;
-  return PathTotal{{terms.begin(), terms.end()}, known_irrational(sum_of(terms)), std::nullopt};
+  return PathTotal{
+      {terms.begin(), terms.end()}, known_irrational(sum_of(std::move(terms))), std::nullopt};
 }
 
 std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of) {
@@ -355,7 +359,7 @@ void add_corners(PathTotal& total, const std::vector<Corner>& corners) {
     const auto over = half_turns ? over_pi(corner.angle) : std::nullopt;
     half_turns = over ? std::optional<Rational>(*half_turns + *over) : std::nullopt;
   }
-  total.value = sum_of(angles);
+  total.value = sum_of(std::move(angles));
   if (!half_turns) total.exact.reset();
   if (!total.exact) return;
   ExactValue turn;

@@ -46,21 +46,17 @@ Real over_square_root(const Real& x, const Real& s) {
   return {enclosure, {is_exact, x.origin().bits + s.origin().bits}};
 }
 
-Real sum_of(const std::vector<Real>& terms) {
+Real sum_of(std::vector<Real> terms) {
   Rational exact;
-  std::vector<Real> others;
-  for (const Real& x : terms) {
-    if (x.exact())
-      exact += *x.exact();
-    else
-      others.push_back(x);
-  }
-  if (others.empty()) return exact;
-  const long guard = std::bit_width(others.size());
-  return cached(Real([exact, others, guard](long bits) {
+  for (const Real& x : terms)
+    if (x.exact()) exact += *x.exact();
+  std::erase_if(terms, [](const Real& x) { return x.exact().has_value(); });
+  if (terms.empty()) return exact;
+  const long guard = std::bit_width(terms.size());
+  return cached(Real([exact, terms = std::move(terms), guard](long bits) {
     const long more = bits + 8;
     RealBall sum(exact, more + guard);
-    for (const Real& x : others) sum = add(sum, x.enclose(more), more + guard);
+    for (const Real& x : terms) sum = add(sum, x.enclose(more), more + guard);
     return sum;
   }));
 }

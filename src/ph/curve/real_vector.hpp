@@ -28,7 +28,7 @@ Real quotient_of(const Real& a, const Real& b);
 Real over_square_root(const Real& x, const Real& s);
 
 /// The sum, exact where all terms are. Thousands of terms cost as many times one.
-Real sum_of(const std::vector<Real>& terms);
+Real sum_of(std::vector<Real> terms);
 
 /// The sign of x; 0 also where 2048 bits do not tell it from 0.
 int sign_of(const Real& x);

@@ -95,7 +95,8 @@ BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
     lengths.push_back(std::move(more.length));
     areas.push_back(std::move(more.area));
   }
-  return {sum_of(lengths), branch.is_closed ? std::optional(sum_of(areas)) : std::nullopt};
+  return {sum_of(std::move(lengths)),
+          branch.is_closed ? std::optional(sum_of(std::move(areas))) : std::nullopt};
 }
 
 }  // namespace phrame

@@ -197,7 +197,7 @@ Real PathTwist::reduced_value(const Place& at) const {
 Real PathTwist::turn_after(std::size_t k) const {
   std::vector<Real> turns;
   for (std::size_t j = 0; j <= k; ++j) turns.push_back(legs_[j].twist.twist());
-  return sum_of(turns);
+  return sum_of(std::move(turns));
 }
 
 Real PathTwist::rate_at_start(std::size_t k) const {
@@ -238,7 +238,7 @@ Real PathTwist::squared_rate() const {
     terms.push_back(twist.length() *
                     (Real(Rational(2, 15)) * (a * a + b * b) + Real(Rational(-1, 15)) * a * b));
   }
-  return cached(sum_of(terms));
+  return cached(sum_of(std::move(terms)));
 }
 
 Real PathTwist::squared_slope() const {
@@ -248,7 +248,7 @@ Real PathTwist::squared_slope() const {
     terms.push_back(
         quotient_of(Real(Rational(4)) * (a * a + a * b + b * b), legs_[k].twist.length()));
   }
-  return cached(sum_of(terms));
+  return cached(sum_of(std::move(terms)));
 }
 
 // Where an orientation is given its angle is the argument of a number in ℚ(i), if all is rational.
