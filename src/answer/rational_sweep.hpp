@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "phrame/ph/curve/named.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/sweep/rational_sweep.hpp"
 
 namespace phrame::inline v0 {
@@ -28,9 +28,11 @@ struct RationalSweepAnswer {
   std::optional<Nearness> near;      ///< of the curve, where it stands for another
 };
 
-/// Throws as rational_rmf(), rational_mtf(), best_twist() and rational_sweep(); DomainError for an
-/// end normal of a closed path, for none of another one with a twist_degree, and for a closed path
-/// whose frame or scale is not the same at both ends.
-RationalSweepAnswer answer(const NamedPhPath& named, const RationalSweepQuery& query);
+/// Throws as path_with_tangents() of a path that is not PH, rational_rmf(), rational_mtf(),
+/// best_twist() and rational_sweep(); DomainError for an end normal of a closed path, for none of
+/// another one with a twist_degree, for that of a path that is not PH, for a start at an angle to
+/// the frame of such a one, for corners, and for a closed path whose frame or scale is not the same
+/// at both ends.
+RationalSweepAnswer answer(const NamedPath& named, const RationalSweepQuery& query);
 
 }  // namespace phrame

@@ -143,17 +143,19 @@ void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place
 }
 
 /// What helps where the rotation-minimizing frame is not rational.
-RationalSweepAnswer exact_answer(const NamedPhPath& named, const RationalSweepQuery& query) {
+RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuery& query) {
   try {
     return answer(named, query);
   } catch (const DomainError& error) {
-    const auto& segments = named.path.segments();
+    const auto ph = named.path.ph();
+    if (!ph) throw;
+    const auto& segments = ph->segments();
     const bool is_rational = std::all_of(segments.begin(), segments.end(), [](const Curve& curve) {
       return std::holds_alternative<RationalFrame>(rational_frame(curve.preimage()));
     });
     if (query.twist_degree || is_rational) throw;
     throw DomainError(std::string(error.what()) + "; --" +
-                      (named.path.closing_turn() ? "degree 2" : "end-normal X,Y,Z") +
+                      (ph->closing_turn() ? "degree 2" : "end-normal X,Y,Z") +
                       " takes a rational frame of minimal twist, and phrame construct --kind rmf "
                       "makes curves whose frame is rational");
   }
@@ -180,16 +182,16 @@ void run_exact(const Command& command, const SweepOptions& options) {
                  "frame of minimal twist is that of --end-normal and --degree");
   const NamedPath path = options.curve.read_any_path();
   options.start.check(path.path, std::nullopt);
-  const auto ph = as_ph(path);
-  if (!ph) throw InputError("--exact", needs_ph(path.path));
-  const NamedPhPath& named = *ph;
-  if (options.degree > 0 && !options.end_normal && !named.path.closing_turn())
+  if (!path.path.is_ph() && (options.degree > 0 || options.end_normal))
+    throw InputError(options.end_normal ? "--end-normal" : "--degree",
+                     "the rational frame of minimal twist " + needs_ph(path.path));
+  if (options.degree > 0 && !options.end_normal && !path.path.is_closed())
     throw InputError("--degree", "the frame of minimal twist of an open curve needs --end-normal");
   if (path.frame)
     note(
         "the orientations that come with the path are left aside: a mesh, without --exact, has "
         "them");
-  const RationalSweepAnswer made = exact_answer(named, exact_query(options));
+  const RationalSweepAnswer made = exact_answer(path, exact_query(options));
   write_output(options.curve.output, format(made));
   const auto& patches = made.surface.patches;
   if (options.curve.output != "-")
@@ -256,8 +258,8 @@ void add_sweep(Program& program) {
   command.add_flag(
       "--exact", options->is_exact,
       "not a mesh but the surface itself, as rational Bezier patches, of a curve\n"
-      "whose rotation-minimizing frame is rational, or in a rational frame of minimal\n"
-      "twist");
+      "whose rotation-minimizing frame is rational, as lines and arcs, or in a rational\n"
+      "frame of minimal twist");
   command.add_number("--degree", options->degree, {1, 8},
                      "the rational frame of minimal twist with w of this degree (default 2 with\n"
                      "--end-normal); of a closed curve the one that closes");

@@ -51,3 +51,50 @@ TEST_CASE("rational sweep: a closed curve in space is closed by a frame of minim
   query.end_normal = Vector<Rational>{0, 0, 1};
   CHECK_THROWS_AS(answer(loop, query), DomainError);
 }
+
+// An arc of three quarters of a circle of radius 2, by weights that are not its symmetric ones, and
+// a line: places are compared with those of the circle and the frame that turns in its plane.
+TEST_CASE("rational sweep: lines and arcs have exact surfaces, wherever fractions are a frame") {
+  const auto arc = [](const Vector<Rational>& a, const Vector<Rational>& b,
+                      const Vector<Rational>& c) {
+    return Segment(bezier_curve({a, b, c}, {1, 1, 2}));
+  };
+  Path path(bezier_curve({{2, -3, 1}, {2, 0, 1}}));
+  path.append(arc({2, 0, 1}, {2, 2, 1}, {0, 2, 1}));
+  path.append(arc({0, 2, 1}, {-2, 2, 1}, {-2, 0, 1}));
+  path.append(arc({-2, 0, 1}, {-2, -2, 1}, {0, -2, 1}));
+  RationalSweepQuery query{square()};
+  query.start = StartNormal({0, 0, 1});
+  query.scale = RationalFunction(Polynomial{1, 1});
+  const RationalSurface surface = answer(NamedPath("", path), query).surface;
+  REQUIRE(surface.patches.size() == 16);
+  CHECK_FALSE(surface.is_closed);
+  for (const SurfacePatch& patch : surface.patches) {
+    if (patch.side > 0) continue;  // from (1, 1) to (-1, 1): f2 = z, f3 = e1 x f2 from the axis
+    CHECK(patch.points.front().size() == 2);
+    for (const Rational& s : {Rational(0), Rational(1, 3), Rational(1)}) {
+      const Vector<Rational> at = point(patch, Rational(1, 4), s);
+      const Rational scale = 1 + patch.from + s * (patch.to - patch.from);
+      CHECK(at[2] == 1 + scale / 2);
+      const Rational out = 2 + scale;
+      if (patch.from == 0)
+        CHECK(at[0] == out);
+      else
+        CHECK(at[0] * at[0] + at[1] * at[1] == out * out);
+    }
+  }
+}
+
+TEST_CASE("rational sweep: a circle by arcs is a closed body, a line of length sqrt(2) is none") {
+  std::vector<Segment> quarters;
+  const Vector<Rational> corners[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (std::size_t k = 0; k < 4; ++k)
+    quarters.emplace_back(bezier_curve(
+        {corners[k], corners[k] + corners[(k + 1) % 4], corners[(k + 1) % 4]}, {2, 1, 1}));
+  RationalSweepQuery query{circle_curve(Rational(1, 3))};
+  CHECK(answer(NamedPath("", joined(quarters)), query).surface.is_closed);
+  query.scale = RationalFunction(Polynomial{1, 1});
+  CHECK_THROWS_AS(answer(NamedPath("", joined(quarters)), query), DomainError);
+  CHECK_THROWS_AS(answer(NamedPath("", Path(bezier_curve({{0, 0, 0}, {1, 1, 0}}))), {square()}),
+                  DomainError);
+}

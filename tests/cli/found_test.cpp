@@ -129,11 +129,8 @@ const std::vector<Case> cases{
     {"KittyCAD", "info @kcad.svg", 0, {"25.707963267948966"}},
     {"FreeCAD", "info @semi.svg", 0, {"62.831853071795865"}},
     {"KittyCAD", "sweep @kcad.svg --profile circle:1 -o out.glb", 0, {"sections, within"}},
-    {"KittyCAD",
-     "sweep @kcad.svg --profile circle:1 --exact -o out.obj",
-     2,
-     {},
-     "--exact: needs a Pythagorean-hodograph curve, and segment 2 is none"},
+    {"KittyCAD", "sweep @kcad.svg --profile circle:1 --exact -o out.obj", 0, {"8 rational Bezier"}},
+    {"FreeCAD", "sweep @semi.svg --profile circle:1 --exact -o out.obj", 0, {"8 rational Bezier"}},
     // kurbo 344: both handles of an end in one point.
     {"kurbo",
      "info @loop.svg",

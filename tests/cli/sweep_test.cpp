@@ -145,6 +145,14 @@ TEST_CASE("sweep: what has no exact surface is refused, with what helps") {
   refused("plane.json", "--degree 3", 2, "--degree: ");
   refused("plane.json", "-o body.stl", 2, "--format: \"stl\" is not one of obj, json, step");
   refused("plane.json", "--scale t", 3, "scale");
+  here.write("slanted.svg", R"(<svg><path d="M0 0 l1 1"/></svg>)");
+  refused("slanted.svg", "", 3, "a rational function times sqrt(2)");
+  here.write("cubic.svg", R"(<svg><path d="M0 0 h1 c1 0 2 1 3 3"/></svg>)");
+  refused("cubic.svg", "", 3, "segment 1 is not PH: its unit tangent is no rational function");
+  here.write("ring.svg", R"(<svg><circle r="2"/></svg>)");
+  refused("ring.svg", "--degree 2", 2,
+          "--degree: the rational frame of minimal twist needs a Pyth");
+  refused("ring.svg", "--start up", 3, "no Euler-Rodrigues frame to start from");
   check_failure(here.run("sweep plane.json --profile circle:1 -o body.json"), 2,
                 "--format: \"json\"");
 }

@@ -236,6 +236,36 @@ def check(name, option, profile, scale=None, *more):
     print("%s, %s: %d patches" % (name, " ".join(map(str, arguments[3:])), len(surface["patches"])))
 
 
+def place(patch, s, u):
+    """S, by the sum of the Bernstein polynomials."""
+    def basis(n, t):
+        return [comb(n, k) * t ** k * (1 - t) ** (n - k) for k in range(n + 1)]
+    products = [(weight * b * c, point)
+                for weights, points, b in zip(patch["weights"], patch["points"], basis(patch["degree_t"], s))
+                for weight, point, c in zip(weights, points, basis(patch["degree_u"], u))]
+    below = sum(weight for weight, _ in products)
+    return [sum(weight * point[axis] for weight, point in products) / below for axis in range(3)]
+
+
+def check_pipe():
+    """Of a line and a quarter of a circle: a cylinder and a torus, by their equations; which part, by its places."""
+    drawing = ROOT / "tests/data/found/kcad.svg"  # (0, 0) to (0, 10), then about (10, 10)
+    surface = read_surface(phrame("sweep", drawing, "--exact", "--profile", "circle:3", "--format", "json"))
+    patches = surface["patches"]
+    assert len(patches) == 8 and not surface["closed"] and surface["frame"] == "rotation-minimizing"
+    for patch in patches:
+        for s in (Fraction(0), Fraction(1, 3), Fraction(1)):
+            for u in (Fraction(0), Fraction(2, 5), Fraction(1)):
+                x, y, z = place(patch, s, u)
+                if patch["t"] == [0, 1]:
+                    assert x * x + z * z == 9 and y == 10 * s
+                else:
+                    assert ((x - 10) ** 2 + (y - 10) ** 2 + z * z + 100 - 9) ** 2 == 400 * ((x - 10) ** 2 + (y - 10) ** 2)
+                    assert x <= 10 <= y and (s < 1 or x == 10) and (s > 0 or y == 10)
+    print("kcad.svg: a cylinder and a torus")
+
+
+check_pipe()
 check("rational-frame-quintic.json", "rectangle:1,1/2", rectangle(Fraction(1), Fraction(1, 2)))
 check("plane-cubic.json", "circle:1/3", circle(Fraction(1, 3)), ("(2 - t)/(1 + t)", ([2, -1], [1, 1])))
 check("septic-erf-is-rmf.json", "circle:1/5", circle(Fraction(1, 5)))

@@ -16,23 +16,35 @@ namespace {
 struct SweptPart {
   Rational from;  ///< of the path's parameter
   Rational to;
-  Vector<Polynomial> position;    ///< r
+  Vector<Polynomial> position;    ///< X
+  Polynomial weight;              ///< W > 0, r = X/W
   QuaternionPolynomial preimage;  ///< B
   Polynomial scale;               ///< P
   Polynomial scale_below;         ///< Q
 };
 
-SweptPart part_of(const PhPath& path, const RationalFramePiece& frame,
+/// A PH curve or another rational one.
+const RationalCurve& swept_curve(const Path& path, std::size_t segment) {
+  const RationalCurve* curve = rational_curve(path.segments()[segment]);
+  if (curve == nullptr)
+    throw DomainError(fmt::format("sweep: segment {} is of formulas, no rational curve", segment));
+  return *curve;
+}
+
+SweptPart part_of(const Path& path, const RationalFramePiece& frame,
                   const RationalFunction& scale) {
   const Rational joint(static_cast<long>(frame.segment));
   const Rational width = frame.to - frame.from;
+  const RationalCurve& curve = swept_curve(path, frame.segment);
   SweptPart part{joint + frame.from,
                  joint + frame.to,
-                 position(path.segments()[frame.segment]),
+                 curve.numerator(),
+                 curve.weight(),
                  frame.preimage,
                  {},
                  {}};
   for (Polynomial& x : part.position) x = compose(x, {frame.from, width});
+  part.weight = compose(part.weight, {frame.from, width});
   part.scale = compose(scale.numerator(), {part.from, width});
   part.scale_below = compose(scale.denominator(), {part.from, width});
   return part;
@@ -43,8 +55,9 @@ SweptPart half_of(const SweptPart& part, bool is_second) {
   const Rational middle = (part.from + part.to) / 2;
   const Polynomial s{is_second ? Rational(1, 2) : Rational(0), Rational(1, 2)};
   const auto halved = [&](const Polynomial& p) { return compose(p, s); };
-  SweptPart half{is_second ? middle : part.from, is_second ? part.to : middle, {}, {}, {}, {}};
+  SweptPart half{is_second ? middle : part.from, is_second ? part.to : middle, {}, {}, {}, {}, {}};
   for (std::size_t k = 0; k < 3; ++k) half.position[k] = halved(part.position[k]);
+  half.weight = halved(part.weight);
   const auto& [u, v, p, q] = part.preimage;
   half.preimage = {halved(u), halved(v), halved(p), halved(q)};
   half.scale = halved(part.scale);
@@ -75,19 +88,24 @@ long degree_of(const Vector<Polynomial>& v) {
 
 /// No value where a weight is not > 0.
 std::optional<StripForm> strip_form(const SweptPart& part) {
-  Polynomial weight = norm(part.preimage) * part.scale_below;
-  Vector<Polynomial> x = part.scale * rotated_j(part.preimage);
-  Vector<Polynomial> y = part.scale * rotated_k(part.preimage);
+  const Polynomial of_frame = norm(part.preimage) * part.scale_below;
+  const Polynomial of_profile = part.scale * part.weight;
+  Polynomial weight = of_frame * part.weight;
+  Vector<Polynomial> center = of_frame * part.position;
+  Vector<Polynomial> x = of_profile * rotated_j(part.preimage);
+  Vector<Polynomial> y = of_profile * rotated_k(part.preimage);
   Polynomial common = weight;
   for (std::size_t k = 0; k < 3; ++k) common = gcd(common, gcd(x[k], y[k]));
+  if (!part.weight.is_constant())  // else what divides the weight divides center
+    for (const Polynomial& c : center) common = gcd(common, c);
   const Rational unit = 1 / weight(0);
   const auto reduce = [&](Polynomial& p) { p = unit * common(0) * exact_quotient(p, common); };
   reduce(weight);
   for (std::size_t k = 0; k < 3; ++k) {
     reduce(x[k]);
     reduce(y[k]);
+    reduce(center[k]);
   }
-  const Vector<Polynomial> center = weight * part.position;
   const long degree =
       std::max({1L, weight.degree(), degree_of(center), degree_of(x), degree_of(y)});
   StripForm form{bernstein_vectors(center, degree), bernstein_vectors(x, degree),
@@ -123,11 +141,11 @@ SurfacePatch patch_of(const SweptPart& part, const StripForm& strip, const Plane
 
 /// A patch as a polynomial in s for each Bernstein polynomial in u.
 struct PatchColumns {
-  std::vector<Vector<Polynomial>> out;  ///< W·(S − r)
-  std::vector<Polynomial> weight;       ///< W
+  std::vector<Vector<Polynomial>> out;  ///< ω·(S − r)
+  std::vector<Polynomial> weight;       ///< ω, the weight of the patch times that of the curve
 };
 
-PatchColumns columns_of(const SurfacePatch& patch, const Vector<Polynomial>& position) {
+PatchColumns columns_of(const SurfacePatch& patch, const SweptPart& part) {
   PatchColumns columns;
   for (std::size_t l = 0; l < patch.points.front().size(); ++l) {
     std::vector<Rational> weights;
@@ -137,11 +155,11 @@ PatchColumns columns_of(const SurfacePatch& patch, const Vector<Polynomial>& pos
       for (std::size_t axis = 0; axis < 3; ++axis)
         products[axis].push_back(patch.weights[k][l] * patch.points[k][l][axis]);
     }
-    columns.weight.push_back(from_bernstein(weights));
-    columns.out.push_back(Vector<Polynomial>{from_bernstein(products[0]),
-                                             from_bernstein(products[1]),
-                                             from_bernstein(products[2])} -
-                          columns.weight.back() * position);
+    const Polynomial weight = from_bernstein(weights);
+    const Vector<Polynomial> points{from_bernstein(products[0]), from_bernstein(products[1]),
+                                    from_bernstein(products[2])};
+    columns.out.push_back(part.weight * points - weight * part.position);
+    columns.weight.push_back(part.weight * weight);
   }
   return columns;
 }
@@ -159,7 +177,7 @@ std::vector<Vector<Polynomial>> in_powers_of_u(const std::vector<Vector<Polynomi
   return powers;
 }
 
-/// |S − r|² = λ²(x² + y²): with W = ω(s)V(u)/V₀, |W(S − r)|²·V₀²Q² = ω²P²(X² + Y²).
+/// |S − r|² = λ²(x² + y²): with the weight ω(s)V(u)/V₀, |ωV/V₀·(S − r)|²·V₀²Q² = ω²P²(x² + y²)V².
 bool has_the_distance(const PatchColumns& columns, const SweptPart& part,
                       const PlaneBezier& profile) {
   const auto [x, y, weight] = polynomials(profile);
@@ -179,9 +197,11 @@ bool has_the_distance(const PatchColumns& columns, const SweptPart& part,
 
 void require_swept(const SurfacePatch& patch, const SweptPart& part, const PlaneBezier& profile,
                    bool is_rotation_minimizing) {
-  const PatchColumns columns = columns_of(patch, part.position);
-  Vector<Polynomial> rate;
-  for (std::size_t k = 0; k < 3; ++k) rate[k] = differentiate(part.position[k]);
+  const PatchColumns columns = columns_of(patch, part);
+  Vector<Polynomial> rate;  // W²·r′
+  for (std::size_t k = 0; k < 3; ++k)
+    rate[k] = differentiate(part.position[k]) * part.weight -
+              part.position[k] * differentiate(part.weight);
   for (std::size_t l = 0; l < columns.out.size(); ++l) {
     const Vector<Polynomial>& out = columns.out[l];
     const Polynomial& weight = columns.weight[l];
@@ -233,14 +253,12 @@ void require_joined(const RationalSurface& surface) {
 }
 
 /// Where r′ = 0 a body has no section.
-void require_no_stop(const PhPath& path) {
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const Curve& curve = path.segments()[k];
-    if (count_real_roots(hodograph_content(curve), closed_interval(0, 1)) > 0)
-      throw DomainError(path.is_curve()
+void require_no_stop(const Path& path) {
+  for (std::size_t k = 0; k < path.segments().size(); ++k)
+    if (count_real_roots(swept_curve(path, k).multiplier(), closed_interval(0, 1)) > 0)
+      throw DomainError(path.segments().size() == 1
                             ? "sweep: the curve has a cusp or stops on the way"
                             : fmt::format("sweep: segment {} has a cusp or stops on the way", k));
-  }
 }
 
 void append_part(RationalSurface& surface, const SweptPart& part,
@@ -259,18 +277,18 @@ void append_part(RationalSurface& surface, const SweptPart& part,
 
 }  // namespace
 
-RationalSurface rational_sweep(const PhPath& path, const std::vector<RationalFramePiece>& frames,
+RationalSurface rational_sweep(const Path& path, const std::vector<RationalFramePiece>& frames,
                                const RationalSweepForm& form) {
   SweepScale(form.scale).require_along(path.segments().size());
   require_no_stop(path);
   // Where e₁ is against the motion the profile is swept the other way round.
-  const bool is_against = path.segments().front().multiplier()(0) < 0;
+  const bool is_against = orientation(path.segments().front()) < 0;
   const auto pieces = is_against ? reversed_pieces(form.profile) : form.profile.pieces();
   RationalSurface surface;
   surface.sides = pieces.size();
   surface.rings = form.profile.rings();
   surface.is_closed =
-      path.closing_turn() && is_closed(frames) && form.scale(0) == form.scale(path.end());
+      path.is_closed() && is_closed(frames) && form.scale(0) == form.scale(path.end());
   for (const RationalFramePiece& frame : frames)
     append_part(surface, part_of(path, frame, form.scale), pieces, form.is_rotation_minimizing);
   require_joined(surface);
