@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
@@ -112,6 +113,49 @@ HodographPair hodograph_pair(const BezierPoints& given, const Curve& curve) {
 /// √x as a bound to print, and not above ε where x is not above ε².
 Rational distance_of(const Rational& squared, const Rational& epsilon) {
   return std::min(square_root_above(squared), epsilon);
+}
+
+/// |r′(t)|, from the Bernstein coefficients of r′.
+double speed_at(std::vector<Vector<double>> hodograph, double t) {
+  for (std::size_t left = hodograph.size() - 1; left > 0; --left)
+    for (std::size_t k = 0; k < left; ++k)
+      hodograph[k] = (1 - t) * hodograph[k] + t * hodograph[k + 1];
+  return std::sqrt(dot(hodograph[0], hodograph[0]));
+}
+
+/// Is |r′| > least all along? Told by steps as far as its greatest slope allows.
+bool is_faster(const std::vector<Vector<double>>& hodograph, double least) {
+  double square = 0;
+  for (std::size_t k = 0; k + 1 < hodograph.size(); ++k) {
+    const auto slope = hodograph[k + 1] - hodograph[k];
+    square = std::max(square, dot(slope, slope));
+  }
+  const double slope = std::sqrt(square) * static_cast<double>(hodograph.size() - 1);
+  constexpr double least_step = 0x1p-8;
+  for (double t = 0; t < 1;) {
+    const double room = speed_at(hodograph, t) - least;
+    if (!(room > least_step * slope)) return false;
+    t += room / slope;
+  }
+  return true;
+}
+
+/// Are all PH curves of degree n from the same start seen to be farther than that from the curve
+/// with these n Bernstein coefficients of r′? If one has control points no farther, its |f|σ is
+/// within ε = 2n·most of |r′|. If |r′| > ε, f has no zero, so that |f|σ is a polynomial of degree
+/// n − 1, and with alternating signs its values at the n + 1 extrema of Chebyshev's polynomial, of
+/// which the first and the last are halved, add up to 0: those of |r′| to nε at most. The other
+/// percent is for rounding.
+bool is_far_from_ph(const std::vector<Vector<double>>& hodograph, double most) {
+  const auto n = static_cast<double>(hodograph.size());
+  const double epsilon = 1.01 * 2 * n * most;
+  double sum = 0;
+  for (std::size_t k = 0; k <= hodograph.size(); ++k) {
+    const double t = (1 - std::cos(std::numbers::pi * static_cast<double>(k) / n)) / 2;
+    const double weight = k == 0 || k == hodograph.size() ? 0.5 : 1;
+    sum += (k % 2 == 0 ? weight : -weight) * speed_at(hodograph, t);
+  }
+  return std::abs(sum) > n * epsilon && is_faster(hodograph, epsilon);
 }
 
 /// A spline in doubles, each A divided by 2ᵉ, and what its joints are to be: the ends of A on both
@@ -253,8 +297,13 @@ std::optional<NearSuggestion> near_suggestion(const Vector<Polynomial>& hodograp
   const Rational least_share(1, 1000);
   for (const Polynomial& p : hodograph)
     if (p.degree() >= most_degree) return std::nullopt;
-  const Rational size = size_of(bezier_points(hodograph, start));
+  const BezierPoints points = bezier_points(hodograph, start);
+  const Rational size = size_of(points);
   const Rational most = least_share * size;
+  const long scale = scale_of(points);
+  if (is_far_from_ph(scaled_down(bezier_derivatives(points), scale),
+                     static_cast<double>(Rational(most * power_of_two(-2 * scale)))))
+    return std::nullopt;
   const auto fine = fine_fit(hodograph, start, most);
   if (!fine) return std::nullopt;
   const Rational distance = square_root_above(fine->fit.squared_distance);

@@ -325,6 +325,22 @@ TEST_CASE("near: what is suggested is found, and nothing is where all is far") {
   CHECK_FALSE(near_suggestion(bezier_hodograph({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}}), {}));
 }
 
+TEST_CASE(
+    "near: what is a 4000th of its size away is not held for far") {
+  for (long k = 0; k < 12; ++k) {
+    CAPTURE(k);
+    Gauss gauss(3300 + k);
+    Points points = control_points(gauss.curve(1 + k % 3));
+    Rational size = 0;
+    for (const auto& p : points) size = std::max(size, greatest({p - points.front()}));
+    // Each way by turns, as the speed bends most.
+    const Vector<Rational> aside = Rational(size / 2000 / 3) * points.back();
+    for (std::size_t j = 1; j < points.size(); ++j)
+      points[j] = points[j] + Rational(j % 2 == 0 ? 1 : -1) / greatest({points.back()}) * aside;
+    CHECK(near_suggestion(bezier_hodograph(points), points.front()));
+  }
+}
+
 // The same curve in other units: 0.95·10⁻¹² from a PH curve, then 0.85·10⁻¹².
 TEST_CASE("near: an ε that is suggested leaves room to round") {
   const Points points = rounded_to<double>(control_points(Gauss(3100).curve(2)));
