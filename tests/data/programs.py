@@ -1,8 +1,8 @@
 """Writes programs/ and programs.json: curves in files that other programs wrote, with points of them by those programs.
 
-python3 programs.py, with ezdxf, splipy, geomdl, scipy, trimesh, svgwrite, fullcontrol, mecode, pandas, polars, pyarrow, numpy; the
-tests do not run it. Each entry of programs.json has the file, what wrote it, how it is read (`pick`, `kind`), by which parameter
-(`by`) the points are at the numbers `at`, and the length where a program or a formula gives it.
+python3 programs.py, with ezdxf, splipy, geomdl, scipy, trimesh, svgwrite, fullcontrol, mecode, cadquery-ocp, pandas, polars, pyarrow,
+numpy; the tests do not run it. Each entry of programs.json has the file, what wrote it, how it is read (`pick`, `kind`), by which parameter
+(`by`) the points are at the numbers `at`, the length where a program or a formula gives it, and, of files in few digits, `within` what.
 """
 
 import importlib.metadata
@@ -220,8 +220,106 @@ def with_three():
         entry(f"three-camera.{kind}", "three.js r187", [(0, 0, 0), (1, 2, 0), (2, 1, 0.5), (4, 1, 2)], [0, 1, 1.75, 4], "native")
 
 
+def with_opencascade():
+    """STEP and IGES, which Open CASCADE reads back: points are those of the edges that it finds, of splines at
+    their parameter, of lines and circles, along which the parameter is in proportion to the length, at shares of that.
+
+    STEP has 13 digits and IGES 9, and places of arcs are those of angles to so many digits.
+    """
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
+    from OCP.GC import GC_MakeArcOfCircle, GC_MakeSegment
+    from OCP.GCPnts import GCPnts_AbscissaPoint
+    from OCP.GeomAbs import GeomAbs_BSplineCurve
+    from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Ellipse
+    from OCP.IGESControl import IGESControl_Reader, IGESControl_Writer
+    from OCP.STEPControl import STEPControl_AsIs, STEPControl_Reader, STEPControl_Writer
+    from OCP.TopAbs import TopAbs_EDGE
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
+    from OCP.collections import Array1_double, Array1_gp_Pnt, Array1_int
+    from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Vec
+
+    program = "Open CASCADE by " + version("cadquery-ocp")
+
+    def array(values, kind):
+        a = kind(1, len(values))
+        for k, x in enumerate(values):
+            a.SetValue(k + 1, x)
+        return a
+
+    def edge(*arguments):
+        return BRepBuilderAPI_MakeEdge(*arguments).Edge()
+
+    def wire(*edges):
+        maker = BRepBuilderAPI_MakeWire()
+        for e in edges:
+            maker.Add(e)
+        return maker.Wire()
+
+    def point(*xyz):
+        return gp_Pnt(*map(float, xyz))
+
+    def spline(weights=None):
+        poles = array([point(0, 0, 0), point(1, 2, 0), point(3, 2, 1), point(4, 0, 2), point(6, 1, 0.1)], Array1_gp_Pnt)
+        knots, multiplicities = array([0.0, 0.3, 1.0], Array1_double), array([4, 1, 4], Array1_int)
+        return Geom_BSplineCurve(poles, *([array(weights, Array1_double)] if weights else []), knots, multiplicities, 3)
+
+    def read_back(reader, file, at, which):
+        reader.ReadFile(str(OUT / file))
+        reader.TransferRoots()
+        explorer, curves, lengths = TopExp_Explorer(reader.OneShape(), TopAbs_EDGE), [], []
+        while explorer.More():
+            curves.append(BRepAdaptor_Curve(TopoDS.Edge(explorer.Current())))
+            explorer.Next()
+        curves = curves if which is None else [curves[which]]
+        lengths = [GCPnts_AbscissaPoint.Length_s(c, 1e-14) for c in curves]
+        points = []
+        for x in at:
+            left, k = x * sum(lengths), 0
+            while k + 1 < len(curves) and left > lengths[k]:
+                left, k = left - lengths[k], k + 1
+            first, last = curves[k].FirstParameter(), curves[k].LastParameter()
+            is_spline = curves[k].GetType() == GeomAbs_BSplineCurve
+            p = curves[k].Value(x if is_spline else first + left / lengths[k] * (last - first))
+            points.append((p.X(), p.Y(), p.Z()))
+        return points, sum(lengths)
+
+    tilted = gp_Ax2(point(1, 2, 3), gp_Dir(1, 2, 2), gp_Dir(0, 1, -1))
+    shapes = {
+        "pipe": wire(edge(GC_MakeSegment(point(0, 0, 0), point(0, 0, 10)).Value()),
+                     edge(GC_MakeArcOfCircle(point(0, 0, 10), gp_Vec(0, 0, 1), point(3, 4, 15)).Value()),
+                     edge(GC_MakeSegment(point(3, 4, 15), point(9, 12, 15)).Value())),
+        "nurbs": edge(spline([1.0, 2.0, 1.5, 1.0, 1.0])),
+        "part": edge(spline(), 0.2, 0.9),
+        "arc": edge(Geom_Circle(tilted, 5.0), 0.3, 2.1),
+        "large": edge(Geom_Circle(tilted, 5.0), 0.3, 5.1),
+        "circle": edge(Geom_Circle(tilted, 5.0)),
+        "ellipse": edge(Geom_Ellipse(tilted, 5.0, 2.0), 0.3, 2.1),
+        "cylinder": BRepPrimAPI_MakeCylinder(3.0, 10.0).Shape(),
+    }
+    ways = {"nurbs": ("native", [0, 0.125, 0.3, 0.875, 1]), "part": ("native", [0.2, 0.25, 0.3, 0.75, 0.9]), "ellipse": ("fraction", [0, 1])}
+    for name, shape in shapes.items():
+        by, at = ways.get(name, ("fraction", [0, 0.125, 0.4375, 0.875, 1]))
+        step = STEPControl_Writer()
+        step.Transfer(shape, STEPControl_AsIs)
+        step.Write(str(OUT / f"occ-{name}.step"))
+        for pick, which in {"cylinder": [("#55", 1)]}.get(name, [(None, None)]):
+            points, length = read_back(STEPControl_Reader(), f"occ-{name}.step", at, which)
+            entry(f"occ-{name}.step", program, points, at, by, length=length, within=1e-11, **({"pick": pick} if pick else {}))
+        if name in ("ellipse", "cylinder"):
+            continue
+        iges = IGESControl_Writer()
+        iges.AddShape(shape)
+        iges.ComputeModel()
+        iges.Write(str(OUT / f"occ-{name}.igs"))
+        points, length = read_back(IGESControl_Reader(), f"occ-{name}.igs", at, None)
+        entry(f"occ-{name}.igs", program, points, at, by, length=length, within=2e-8, gap="1e-7")
+
+
 if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
-    for make in (with_ezdxf, with_splipy, with_geomdl, with_scipy, with_tables, with_svgwrite, with_trimesh, with_fullcontrol, with_mecode, with_three):
+    for make in (with_ezdxf, with_splipy, with_geomdl, with_scipy, with_tables, with_svgwrite, with_trimesh, with_fullcontrol, with_mecode, with_opencascade, with_three):
         make()
     (HERE / "programs.json").write_text("[\n" + ",\n".join(json.dumps(e) for e in ENTRIES) + "\n]\n")

@@ -14,14 +14,17 @@
 #include "phrame/io/read/geomdl_file.hpp"
 #include "phrame/io/read/gltf_file.hpp"
 #include "phrame/io/read/godot_file.hpp"
+#include "phrame/io/read/iges_file.hpp"
 #include "phrame/io/read/npy.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/read/part21.hpp"
 #include "phrame/io/read/point_curve.hpp"
 #include "phrame/io/read/point_file.hpp"
 #include "phrame/io/read/point_table.hpp"
 #include "phrame/io/read/polyline_file.hpp"
 #include "phrame/io/read/rational_node.hpp"
 #include "phrame/io/read/scipy_node.hpp"
+#include "phrame/io/read/step_file.hpp"
 #include "phrame/io/read/svg_file.hpp"
 #include "phrame/io/read/svg_path.hpp"
 #include "phrame/io/read/text_table.hpp"
@@ -187,6 +190,8 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
     reading.refuse_skipping("an animation");
     return path_of_points(read_glb(content, reading), limits);
   }
+  if (is_part21(content)) return path_of_points(read_step(text, reading, limits), limits);
+  if (is_iges_file(text)) return path_of_points(read_iges(text, reading, limits), limits);
   if (is_gcode_file(content)) return path_of_points(read_gcode(text, reading), limits);
   if (is_g2_file(content)) {
     reading.refuse_skipping("a curve in G2");
@@ -232,9 +237,9 @@ bool is_json_curve(std::string_view text) {
 /// Does it hold a curve, and no points?
 bool holds_curve(std::string_view content) {
   if (content.starts_with('{')) return is_json_curve(content);
-  return is_glb_file(content) || is_gcode_file(content) || is_g2_file(content) ||
-         is_dxf_file(content) || is_path_data(content) || is_godot_file(content) ||
-         is_polyline_file(content) || content.starts_with('<');
+  return is_glb_file(content) || is_part21(content) || is_gcode_file(content) ||
+         is_g2_file(content) || is_dxf_file(content) || is_path_data(content) ||
+         is_godot_file(content) || is_polyline_file(content) || content.starts_with('<');
 }
 
 }  // namespace

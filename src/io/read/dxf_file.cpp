@@ -17,7 +17,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/io/read/curve_choice.hpp"
+#include "phrame/io/read/drawn_chain.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/ellipse_arc.hpp"
@@ -103,22 +103,6 @@ struct DxfEntity {
   }
 };
 
-/// Pieces from a start to an end.
-using DxfPieces = std::vector<RationalBezier>;
-
-const Vector<Rational>& first_point(const DxfPieces& pieces) {
-  return pieces.front().points.front();
-}
-const Vector<Rational>& last_point(const DxfPieces& pieces) { return pieces.back().points.back(); }
-
-void turn_back(DxfPieces& pieces) {
-  std::ranges::reverse(pieces);
-  for (RationalBezier& piece : pieces) {
-    std::ranges::reverse(piece.points);
-    std::ranges::reverse(piece.weights);
-  }
-}
-
 /// −1 where x is mirrored: the extrusion is along −z.
 int sense_of(const DxfEntity& entity) {
   const Vector<Rational> n{entity.number(210, Rational(0)), entity.number(220, Rational(0)),
@@ -127,20 +111,20 @@ int sense_of(const DxfEntity& entity) {
   return n[2] < 0 ? -1 : 1;
 }
 
-DxfPieces mirrored_pieces(DxfPieces pieces, int sense) {
+CurvePieces mirrored_pieces(CurvePieces pieces, int sense) {
   if (sense < 0)
     for (RationalBezier& piece : pieces)
       for (Vector<Rational>& p : piece.points) p = {-p[0], p[1], -p[2]};
   return pieces;
 }
 
-DxfPieces lifted_pieces(DxfPieces pieces, const Rational& z) {
+CurvePieces lifted_pieces(CurvePieces pieces, const Rational& z) {
   for (RationalBezier& piece : pieces)
     for (Vector<Rational>& p : piece.points) p[2] = z;
   return pieces;
 }
 
-DxfPieces circle_of(const DxfEntity& entity) {
+CurvePieces circle_of(const DxfEntity& entity) {
   const Vector<Rational> center = entity.point(10);
   const Rational r = entity.number(40);
   if (r <= 0) entity.fail("the radius is not > 0");
@@ -156,7 +140,7 @@ DxfPieces circle_of(const DxfEntity& entity) {
 }
 
 /// Its center and axis are in space, whatever the extrusion is.
-DxfPieces ellipse_of(const DxfEntity& entity) {
+CurvePieces ellipse_of(const DxfEntity& entity) {
   const Vector<Rational> center = entity.point(10);
   const Vector<Rational> a = entity.point(11);
   if (a[2] != 0) entity.fail("only ellipses in planes across z are read");
@@ -180,7 +164,7 @@ struct DxfVertex {
   Rational bulge;
 };
 
-void add_bulged(DxfPieces& pieces, const DxfVertex& from, const Vector<Rational>& q) {
+void add_bulged(CurvePieces& pieces, const DxfVertex& from, const Vector<Rational>& q) {
   const Vector<Rational>& p = from.point;
   const Rational& b = from.bulge;
   if (p == q) return;
@@ -196,15 +180,15 @@ void add_bulged(DxfPieces& pieces, const DxfVertex& from, const Vector<Rational>
   pieces.push_back({{middle, middle + way, q}, {1 + b * b, 1, 1}});
 }
 
-DxfPieces polyline_of(std::vector<DxfVertex> vertices, bool is_closed) {
+CurvePieces polyline_of(std::vector<DxfVertex> vertices, bool is_closed) {
   if (is_closed && !vertices.empty()) vertices.push_back({vertices.front().point, 0});
-  DxfPieces pieces;
+  CurvePieces pieces;
   for (std::size_t k = 1; k < vertices.size(); ++k)
     add_bulged(pieces, vertices[k - 1], vertices[k].point);
   return pieces;
 }
 
-DxfPieces light_polyline_of(const DxfEntity& entity) {
+CurvePieces light_polyline_of(const DxfEntity& entity) {
   const Rational z = entity.number(38, Rational(0));
   std::vector<DxfVertex> vertices;
   for (const DxfGroup& group : entity.groups) {
@@ -218,7 +202,7 @@ DxfPieces light_polyline_of(const DxfEntity& entity) {
 }
 
 /// Of POLYLINE, whose vertices are entities behind it.
-DxfPieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices) {
+CurvePieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices) {
   const long flags = entity.flags(70);
   if ((flags & (16 | 64)) != 0) entity.fail("a mesh is no curve");
   const bool is_of_space = (flags & 8) != 0;
@@ -227,13 +211,13 @@ DxfPieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity>&
     if ((vertex.flags(70) & 16) != 0) continue;  // a control point of the curve that was fitted
     found.push_back({vertex.point(10), is_of_space ? Rational(0) : vertex.number(42, Rational(0))});
   }
-  DxfPieces pieces = polyline_of(std::move(found), (flags & 1) != 0);
+  CurvePieces pieces = polyline_of(std::move(found), (flags & 1) != 0);
   return is_of_space ? pieces : mirrored_pieces(std::move(pieces), sense_of(entity));
 }
 
 /// With the knots where the pieces begin, and the last.
-DxfPieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
-                    std::vector<Rational>& knots) {
+CurvePieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
+                      std::vector<Rational>& knots) {
   BSpline spline;
   spline.degree = entity.flags(71);
   if (spline.degree < 1 || spline.degree > limits.max_degree)
@@ -250,7 +234,7 @@ DxfPieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
   if (spline.points.empty())
     entity.fail("the spline has fit points only: its control points are wanted");
   if (const auto fault = fault_of(spline)) entity.fail(fault->reason);
-  DxfPieces pieces;
+  CurvePieces pieces;
   for (BezierPiece& piece : bezier_pieces(spline)) {
     if (knots.empty()) knots.push_back(piece.lower);
     knots.push_back(piece.upper);
@@ -260,77 +244,16 @@ DxfPieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
 }
 
 /// What an entity draws; no value for one that is no curve.
-std::optional<DxfPieces> pieces_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices,
-                                   const CurveLimits& limits, std::vector<Rational>& knots) {
-  if (entity.type == "LINE") return DxfPieces{{{entity.point(10), entity.point(11)}}};
+std::optional<CurvePieces> pieces_of(const DxfEntity& entity,
+                                     const std::vector<DxfEntity>& vertices,
+                                     const CurveLimits& limits, std::vector<Rational>& knots) {
+  if (entity.type == "LINE") return CurvePieces{{{entity.point(10), entity.point(11)}}};
   if (entity.type == "ARC" || entity.type == "CIRCLE") return circle_of(entity);
   if (entity.type == "ELLIPSE") return ellipse_of(entity);
   if (entity.type == "LWPOLYLINE") return light_polyline_of(entity);
   if (entity.type == "POLYLINE") return old_polyline_of(entity, vertices);
   if (entity.type == "SPLINE") return spline_of(entity, limits, knots);
   return std::nullopt;
-}
-
-/// Entities that meet.
-struct DrawnChain {
-  DxfPieces pieces;
-  std::vector<Rational> knots = {};  ///< of one spline, where the pieces begin, and the last
-  std::vector<long> lines = {};      ///< of each piece, the line of its entity
-  std::string layer = {};
-  std::vector<std::string> handles = {};
-};
-
-/// Are they the same but for what rounding of such coordinates leaves?
-bool points_meet(const Vector<Rational>& p, const Vector<Rational>& q) {
-  if (p == q) return true;
-  Rational size = 1;
-  Rational distance = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    size = std::max({size, Rational(abs(p[k])), Rational(abs(q[k]))});
-    distance = std::max(distance, Rational(abs(p[k] - q[k])));
-  }
-  return distance * 1'000'000'000 <= size;
-}
-
-void turn_back(DrawnChain& chain) {
-  turn_back(chain.pieces);
-  std::ranges::reverse(chain.lines);
-}
-
-/// Puts `next` of the same layer behind the chain, or before it, where ends of them meet.
-bool join_chains(DrawnChain& chain, DrawnChain& next) {
-  if (chain.layer != next.layer || points_meet(first_point(chain.pieces), last_point(chain.pieces)))
-    return false;
-  if (!points_meet(last_point(chain.pieces), first_point(next.pieces)) &&
-      (points_meet(last_point(chain.pieces), last_point(next.pieces)) ||
-       points_meet(first_point(chain.pieces), first_point(next.pieces))))
-    turn_back(next);
-  const bool is_behind = points_meet(last_point(chain.pieces), first_point(next.pieces));
-  if (!is_behind && !points_meet(last_point(next.pieces), first_point(chain.pieces))) return false;
-  chain.knots.clear();
-  next.knots.clear();
-  DrawnChain& first = is_behind ? chain : next;
-  DrawnChain& second = is_behind ? next : chain;
-  first.pieces.insert(first.pieces.end(), second.pieces.begin(), second.pieces.end());
-  first.lines.insert(first.lines.end(), second.lines.begin(), second.lines.end());
-  first.handles.insert(first.handles.end(), second.handles.begin(), second.handles.end());
-  if (!is_behind) chain = std::move(next);
-  return true;
-}
-
-/// Curves of entities that meet, each as long as it can be.
-std::vector<DrawnChain> chains_of_drawing(std::vector<DrawnChain> parts) {
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    for (bool has_grown = true; has_grown;) {
-      has_grown = false;
-      for (std::size_t j = k + 1; j < parts.size() && !has_grown; ++j)
-        if (!points_meet(first_point(parts[j].pieces), last_point(parts[j].pieces)) &&
-            join_chains(parts[k], parts[j])) {
-          parts.erase(parts.begin() + static_cast<long>(j));
-          has_grown = true;
-        }
-    }
-  return parts;
 }
 
 /// A drawing within the file, that INSERT puts somewhere.
@@ -403,7 +326,7 @@ class DxfDrawing {
 
   void read(const std::vector<DxfEntity>& entities, const Insertion& in);
   void insert(const DxfEntity& entity, const Insertion& in);
-  void add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
+  void add(const DxfEntity& entity, CurvePieces pieces, std::vector<Rational> knots,
            const Insertion& in);
 
   static constexpr long most_in_blocks = 200'000;
@@ -413,7 +336,7 @@ class DxfDrawing {
   long count_ = 0;  ///< of entities in blocks
 };
 
-void DxfDrawing::add(const DxfEntity& entity, DxfPieces pieces, std::vector<Rational> knots,
+void DxfDrawing::add(const DxfEntity& entity, CurvePieces pieces, std::vector<Rational> knots,
                      const Insertion& in) {
   for (RationalBezier& piece : pieces)
     for (Vector<Rational>& p : piece.points) p = in.map(p);
@@ -489,21 +412,6 @@ void DxfDrawing::read(const std::vector<DxfEntity>& entities, const Insertion& i
   }
 }
 
-/// The layer, where it has one curve only, and a handle.
-std::vector<CurveLabel> drawn_labels(const std::vector<DrawnChain>& chains,
-                                     const std::string& pick) {
-  std::map<std::string, int> count;
-  for (const DrawnChain& chain : chains) ++count[chain.layer];
-  std::vector<CurveLabel> labels;
-  for (const DrawnChain& chain : chains) {
-    const bool is_picked = std::ranges::find(chain.handles, pick) != chain.handles.end();
-    const std::string& handle = is_picked ? pick : chain.handles.front();
-    labels.push_back({count[chain.layer] == 1 ? chain.layer : "",
-                      handle.empty() ? fmt::format("line {}", chain.lines.front()) : handle});
-  }
-  return labels;
-}
-
 }  // namespace
 
 bool is_dxf_file(std::string_view text) {
@@ -524,16 +432,7 @@ PointCurve read_dxf(std::string_view text, const FileReading& reading, const Cur
         "line 1",
         fmt::format("there is no curve in the section ENTITIES{}",
                     skipped.empty() ? "" : fmt::format(": it has {}", fmt::join(skipped, ", "))));
-  const DrawnChain& second = chains[std::min<std::size_t>(1, chains.size() - 1)];
-  const std::size_t at = chosen_curve(drawn_labels(chains, reading.pick), reading.pick,
-                                      in_dxf_line(second.lines.front()));
-  PointCurve curve{"", {}};
-  const auto& [pieces, knots, lines, layer, handles] = chains[at];
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-    curve.segments.push_back(
-        knots.size() == pieces.size() + 1
-            ? span_segment({pieces[k], knots[k], knots[k + 1]}, in_dxf_line(lines[k]))
-            : bezier_segment(pieces[k], in_dxf_line(lines[k])));
+  PointCurve curve{"", chosen_chain(chains, reading.pick)};
   if (!skipped.empty())
     curve.notes.push_back(fmt::format("left out are {}", fmt::join(skipped, ", ")));
   return curve;

@@ -1,0 +1,129 @@
+#include "phrame/io/read/space_conic.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/ball.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+/// √x, exactly or to ellipse_bits.
+Rational near_root(const Rational& x) {
+  if (const auto root = square_root(x)) return *root;
+  constexpr long places = ellipse_bits + 20;
+  const Rational unit = power_of_two(binary_exponent(x) / 2 - places);
+  return Rational(floor(sqrt(RealBall(x, 2 * places), 2 * places).midpoint() / unit)) * unit;
+}
+
+Vector<Rational> in_space(const SpaceConic& conic, const Vector<Rational>& p) {
+  return conic.center + p[0] * conic.x + p[1] * conic.y;
+}
+
+CurvePieces in_space(const SpaceConic& conic, CurvePieces pieces) {
+  for (RationalBezier& piece : pieces)
+    for (Vector<Rational>& p : piece.points) p = in_space(conic, p);
+  return pieces;
+}
+
+/// The point of the unit circle, next to it where it is off.
+PlaneVector on_unit_circle(const PlaneVector& p) {
+  const Rational square = p[0] * p[0] + p[1] * p[1];
+  if (square == 1) return p;
+  const Rational size = near_root(square);
+  const bool is_left = p[0] < 0;
+  // tan(φ/2) = y/(r + |x|)
+  const Rational tangent = p[1] / (size + abs(p[0]));
+  const Rational below = 1 + tangent * tangent;
+  const Rational x = (1 - tangent * tangent) / below;
+  return {is_left ? Rational(-x) : x, 2 * tangent / below};
+}
+
+}  // namespace
+
+Vector<Rational> near_unit(const Vector<Rational>& v) {
+  const Rational square = dot(v, v);
+  if (square == 0) throw InputError("a direction is 0");
+  return Rational(1 / near_root(square)) * v;
+}
+
+SpaceConic conic_about(const Vector<Rational>& center, const Vector<Rational>& axis,
+                       const Vector<Rational>& reference, const std::array<Rational, 2>& semiaxes) {
+  for (const Rational& size : semiaxes)
+    if (size <= 0) throw InputError("the radius is not > 0");
+  if (dot(axis, axis) == 0) throw InputError("the axis is 0");
+  const Vector<Rational> across =
+      reference - Rational(dot(reference, axis) / dot(axis, axis)) * axis;
+  if (dot(across, across) == 0) throw InputError("the reference direction is along the axis");
+  const Vector<Rational> x = near_unit(across);
+  return {center, semiaxes, x, near_unit(cross(axis, x))};
+}
+
+CurvePieces arc_between(const SpaceConic& conic, const PlaneVector& from, const PlaneVector& to,
+                        bool is_growing) {
+  const auto& [a, b] = conic.semiaxes;
+  return in_space(conic, ellipse_arc(Ellipse{{0, 0}, {a, 0}, {0, b}}, from, to, is_growing));
+}
+
+CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
+                        const Vector<Rational>& to, bool is_growing) {
+  const auto& [a, b] = conic.semiaxes;
+  const auto in_plane = [&](const Vector<Rational>& place) {
+    const Vector<Rational> out = place - conic.center;
+    const PlaneVector p{dot(out, conic.x), dot(out, conic.y)};
+    const PlaneVector q = on_unit_circle({p[0] / a, p[1] / b});
+    if (!points_meet(place, in_space(conic, {a * q[0], b * q[1], 0})))
+      throw InputError("an end is not on the curve");
+    return p;
+  };
+  const PlaneVector p = in_plane(from);
+  const PlaneVector q = in_plane(to);
+  const auto square = [](const PlaneVector& v) { return v[0] * v[0] + v[1] * v[1]; };
+  CurvePieces pieces;
+  if (a == b && square(p) == square(q)) {
+    const Rational unit = 1 / square(p);
+    const PlaneVector end{unit * (p[0] * q[0] + p[1] * q[1]), unit * (p[0] * q[1] - p[1] * q[0])};
+    pieces = ellipse_arc(Ellipse{{0, 0}, p, {-p[1], p[0]}}, {1, 0}, end, is_growing);
+  } else if (points_meet(from, to)) {
+    const PlaneVector start = on_unit_circle({p[0] / a, p[1] / b});
+    pieces = ellipse_arc(Ellipse{{0, 0}, {a, 0}, {0, b}}, start, start, is_growing);
+  } else {
+    const Rational turn = (p[0] * q[1] - p[1] * q[0]) * (is_growing ? 1 : -1);
+    pieces = ellipse_arc(EndpointArc{p, q, {a, b}, {1, 0}, turn < 0, is_growing});
+  }
+  pieces = in_space(conic, std::move(pieces));
+  pieces.front().points.front() = from;
+  pieces.back().points.back() = to;
+  return pieces;
+}
+
+RationalBezier part_of(const RationalBezier& curve, const Rational& a, const Rational& b) {
+  using Homogeneous = std::array<Rational, 4>;
+  std::vector<Homogeneous> points;
+  for (std::size_t k = 0; k < curve.points.size(); ++k) {
+    const Rational w = curve.weights.empty() ? Rational(1) : curve.weights[k];
+    const Vector<Rational>& p = curve.points[k];
+    points.push_back({w * p[0], w * p[1], w * p[2], w});
+  }
+  // What is left of t, by de Casteljau's algorithm: the first point of each of its rows.
+  const auto up_to = [](std::vector<Homogeneous> row, const Rational& t) {
+    for (std::size_t n = 1; n < row.size(); ++n)
+      for (std::size_t k = row.size() - 1; k >= n; --k)
+        for (std::size_t c = 0; c < 4; ++c) row[k][c] = (1 - t) * row[k - 1][c] + t * row[k][c];
+    return row;
+  };
+  points = up_to(std::move(points), b);
+  std::ranges::reverse(points);
+  points = up_to(std::move(points), 1 - a / b);
+  std::ranges::reverse(points);
+  RationalBezier part;
+  for (const auto& [x, y, z, w] : points) {
+    part.points.push_back({x / w, y / w, z / w});
+    if (!curve.weights.empty()) part.weights.push_back(w);
+  }
+  return part;
+}
+
+}  // namespace phrame

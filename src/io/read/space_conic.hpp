@@ -1,0 +1,38 @@
+#pragma once
+#include "phrame/io/read/drawn_chain.hpp"
+#include "phrame/ph/curve/ellipse_arc.hpp"
+
+namespace phrame::inline v0 {
+
+/// An ellipse in space, center + a cos φ · x + b sin φ · y, x and y of length 1 and normal to each
+/// other: exactly, or within 2^−ellipse_bits where their lengths are irrational.
+struct SpaceConic {
+  Vector<Rational> center;
+  std::array<Rational, 2> semiaxes;  ///< a, b > 0
+  Vector<Rational> x;
+  Vector<Rational> y;
+};
+
+/// That with x along the part of `reference` across the axis, and y to its left seen from where the
+/// axis goes to. Throws InputError (no place) where the axis is 0 or the reference is along it, and
+/// for a semiaxis that is not > 0.
+SpaceConic conic_about(const Vector<Rational>& center, const Vector<Rational>& axis,
+                       const Vector<Rational>& reference, const std::array<Rational, 2>& semiaxes);
+
+/// The arc with the angle growing, or falling, between points of the unit circle that stand for its
+/// ends; all of it where they are one.
+CurvePieces arc_between(const SpaceConic& conic, const PlaneVector& from, const PlaneVector& to,
+                        bool is_growing);
+/// The same between two places, which are kept exactly; that of a circle is exact where they are as
+/// far from the center, in its plane, and is that through them otherwise. Throws InputError (no
+/// place) for one that is farther from the conic than rounding explains.
+CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
+                        const Vector<Rational>& to, bool is_growing);
+
+/// v over its length, exactly or to within 2^−ellipse_bits. Throws InputError (no place) for 0.
+Vector<Rational> near_unit(const Vector<Rational>& v);
+
+/// The part of a Bézier curve from a to b, 0 ≤ a < b ≤ 1, as one on [0, 1].
+RationalBezier part_of(const RationalBezier& curve, const Rational& a, const Rational& b);
+
+}  // namespace phrame

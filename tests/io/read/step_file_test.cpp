@@ -1,0 +1,175 @@
+#include "phrame/io/read/step_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/io/read/any_path.hpp"
+#include "phrame/io/read/iges_file.hpp"
+#include "support/data.hpp"
+#include "support/refusal.hpp"
+#include "support/text.hpp"
+
+// What Open CASCADE writes is in programs_test.cpp; here is what it does not write, by hand.
+namespace step_file_test {
+
+using namespace phrame;
+
+namespace {
+
+std::string step(const std::string& data) {
+  return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nENDSEC;\nDATA;\n" + data +
+         "ENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// Four points and a placement, in the line 6 and the next.
+const std::string points =
+    "#1=CARTESIAN_POINT('',(0.,0.,0.));#2=CARTESIAN_POINT('',(1.,2.,0.));\n"
+    "#3=CARTESIAN_POINT('',(3.,2.,1.));#4=CARTESIAN_POINT('it''s; /*',(4.,0.,2.5E-1));\n";
+
+NamedPath read(const std::string& text, const std::string& pick = "") {
+  FileReading reading;
+  reading.pick = pick;
+  return read_any_path(text, {}, reading);
+}
+
+std::string refusal(const std::string& data, const std::string& pick = "") {
+  return test::refusal_of<InputError>([&] { read(step(points + data), pick); });
+}
+
+const RationalCurve& curve_of(const NamedPath& named, std::size_t k = 0) {
+  return *rational_curve(named.path.segments()[k]);
+}
+
+/// A line of an IGES file: text up to column 72, letter, number.
+std::string iges_line(std::string text, char section, int number) {
+  text.resize(72, ' ');
+  return text + section + std::string(7 - std::to_string(number).size(), ' ') +
+         std::to_string(number) + "\n";
+}
+
+/// One free entity, with one line of parameters.
+std::string iges(const std::string& type, const std::string& parameters) {
+  const auto field = [](const std::string& x) { return std::string(8 - x.size(), ' ') + x; };
+  return iges_line("", 'S', 1) + iges_line("1H//1H!/", 'G', 1) +
+         iges_line(field(type) + field("1") + field("0") + field("0") + field("0") + field("0") +
+                       field("0") + field("0") + "00000000",
+                   'D', 1) +
+         iges_line(field(type) + field("0") + field("0") + field("1") + field("0"), 'D', 2) +
+         iges_line(parameters, 'P', 1) + iges_line("S      1G      1D      2P      1", 'T', 1);
+}
+
+}  // namespace
+
+TEST_CASE("step: splines are exact, with comments, texts and blanks anywhere") {
+  const NamedPath named =
+      read(step(points + "#10 = /* ; */ B_SPLINE_CURVE_WITH_KNOTS('rail',3,(#1,#2,\n#3,"
+                         "#4),.UNSPECIFIED.,.F.,.F.,(4,4),(0.,2.),.UNSPECIFIED.) ;\n"));
+  CHECK(named.name == "rail");
+  CHECK(curve_of(named) == bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, Rational(1, 4)}}));
+  REQUIRE(named.parameters.size() == 2);
+  CHECK(named.parameters[1].exact() == Rational(2));
+}
+
+// Half of the spline above; by de Casteljau's algorithm the ends are those of its middle.
+TEST_CASE("step: parts of splines are cut at parameters, and may run backwards") {
+  const std::string spline =
+      "#10=B_SPLINE_CURVE_WITH_KNOTS('',3,(#1,#2,#3,#4),.U.,.F.,.F.,(4,4),(0.,2.),.U.);\n";
+  const auto part = [&](const std::string& trims, const std::string& sense) {
+    return read(step(points + spline +
+                     "#11=TRIMMED_CURVE('',"
+                     "#10," +
+                     trims + "," + sense + ",.PARAMETER.);\n"));
+  };
+  const RationalCurve whole =
+      bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, Rational(1, 4)}});
+  const NamedPath half = part("(PARAMETER_VALUE(0.5)),(PARAMETER_VALUE(1.5))", ".T.");
+  const NamedPath back = part("(PARAMETER_VALUE(1.5)),(PARAMETER_VALUE(0.5))", ".F.");
+  for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1)}) {
+    CHECK(point(curve_of(half), t) == point(whole, Rational(1, 4) + t / 2));
+    CHECK(point(curve_of(back), t) == point(whole, Rational(3, 4) - t / 2));
+  }
+  CHECK(test::contains(
+      refusal(spline + "#11=TRIMMED_CURVE('',#10,(PARAMETER_VALUE(0.5)),(PARAMETER_VALUE(2.5)),.T.,"
+                       ".PARAMETER.);"),
+      "from 1/2 to 5/2 is not between its knots 0 and 2"));
+}
+
+TEST_CASE("step: angles are radians, or degrees where the file says so") {
+  const std::string arc =
+      "#5=DIRECTION('',(0.,0.,2.));#6=AXIS2_PLACEMENT_3D('',#2,#5,$);#7=CIRCLE('',#6,3.);\n"
+      "#8=TRIMMED_CURVE('',#7,(PARAMETER_VALUE(90.)),(PARAMETER_VALUE(180.)),.T.,.PARAMETER.);\n";
+  const NamedPath degrees =
+      read(step(points + arc +
+                "#9=(CONVERSION_BASED_UNIT('DEGREE',#99)NAMED_UNIT(#98)PLANE_ANGLE_UNIT());\n"));
+  CHECK(degrees.path.segments().size() == 1);
+  CHECK(point(curve_of(degrees), 0) == Vector<Rational>{1, 5, 0});
+  CHECK(point(curve_of(degrees), 1) == Vector<Rational>{-2, 2, 0});
+  // 180 − 90 radians are 90 − 14·2π = 2.0354…, one quarter and a part of another.
+  CHECK(read(step(points + arc)).path.segments().size() == 2);
+}
+
+TEST_CASE("step: composite curves, sets, edges") {
+  const std::string lines = "#10=POLYLINE('a',(#1,#2));#11=POLYLINE('b',(#3,#2));\n";
+  const std::string composite =
+      lines +
+      "#12=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#10);\n"
+      "#13=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#11);#14=COMPOSITE_CURVE('way',(#12,"
+      "#13),.F.);\n";
+  for (const std::string& data :
+       {composite, lines + "#15=GEOMETRIC_CURVE_SET('way',(#10,#11));\n"}) {
+    const NamedPath named = read(step(points + data));
+    REQUIRE(named.path.segments().size() == 2);
+    CHECK(point(curve_of(named, 1), 1) == Vector<Rational>{3, 2, 1});
+  }
+  CHECK(read(step(points + lines), "b").path.segments().size() == 1);
+  CHECK(test::contains(refusal(lines), "there are 2 curves, and --pick names one: a, b"));
+  const std::string edges =
+      "#20=VERTEX_POINT('',#1);#21=VERTEX_POINT('',#2);#22=LINE('',#1,$);\n"
+      "#23=EDGE_CURVE('',#20,#21,#22,.T.);#24=EDGE_CURVE('',#21,#20,#22,.F.);\n";
+  CHECK(point(curve_of(read(step(points + edges), "#24")), 0) == Vector<Rational>{1, 2, 0});
+}
+
+TEST_CASE("step: what is not read is named, with its line") {
+  CHECK(refusal("#10=HYPERBOLA('',#1,2.,1.);#11=GEOMETRIC_CURVE_SET('',(#10));\n") ==
+        "line 8: #10=HYPERBOLA: this is not read; curves are B_SPLINE_CURVE_WITH_KNOTS, POLYLINE, "
+        "and LINE, CIRCLE or ELLIPSE between ends");
+  CHECK(
+      test::contains(refusal("#10=POLYLINE('',(#1,#77));\n"), "line 8: #10=POLYLINE: there is no"));
+  CHECK(test::contains(refusal("#10=POLYLINE('',(#1,5));\n"), "a list of points is expected"));
+  CHECK(test::contains(refusal("#10=POLYLINE('',(#1,#2);\n"), "\",\" or \")\" is expected"));
+  CHECK(test::contains(refusal("#10=POLYLINE('',(#1,#2))\n"), "line 8"));
+  CHECK(test::contains(refusal("#1=POLYLINE('',(#1,#2));\n"), "#1 is there twice"));
+  CHECK(test::contains(refusal(""), "line 1: there is no curve in the STEP file"));
+  CHECK(test::contains(
+      refusal("#10=B_SPLINE_CURVE_WITH_KNOTS('',3,(#1,#2,#3,#4),.U.,.F.,.F.,(4,3),(0.,2.),.U.);"),
+      "line 8: #10=B_SPLINE_CURVE_WITH_KNOTS: "));
+  CHECK(test::contains(refusal("#10=COMPOSITE_CURVE_SEGMENT(.C.,.T.,#11);\n"
+                               "#11=COMPOSITE_CURVE('',(#10),.F.);\n"
+                               "#12=GEOMETRIC_CURVE_SET('',(#11));\n"),
+                       "more than 32 deep"));
+}
+
+TEST_CASE("iges: other delimiters, exponents with D, parts, and what is not read") {
+  const auto read_one = [](const std::string& type, const std::string& parameters) {
+    return read(iges(type, parameters));
+  };
+  CHECK(curve_of(read_one("110", "110/0./1.5D0/0./3./4./0.!")) ==
+        bezier_curve({{0, Rational(3, 2), 0}, {3, 4, 0}}));
+  const NamedPath part =
+      read_one("126", "126/2/2/0/0/1/0/0/0/0/2/2/2/1/1/1/0/0/0/1/2/0/4/0/0/1/2!");
+  CHECK(point(curve_of(part), 0) == Vector<Rational>{Rational(3, 2), 1, 0});
+  CHECK(point(curve_of(part), 1) == Vector<Rational>{4, 0, 0});
+  const auto refused = [&](const std::string& type, const std::string& parameters) {
+    return test::refusal_of<InputError>([&] { read_one(type, parameters); });
+  };
+  CHECK(refused("104", "104/1./0./1./0./0./-1.!") ==
+        "line 1: there is no curve (126, 110, 100, 102) by itself in the IGES file: it has 104");
+  CHECK(refused("110", "110/0./1.5!") == "line 3: entity 110 (D1): there are too few parameters");
+  CHECK(test::contains(refused("100", "100/0./0./0./1./0./0./2.!"), "an end is not on the curve"));
+  CHECK(test::contains(refused("102", "102/1/1!"), "more than 32 deep"));
+  CHECK(test::contains(refused("102", "102/1/5!"), "there is no D5"));
+  CHECK(test::contains(refused("126", "126/2/2/0/0/1/0/0/0/0/2/2/2/1/1/1/0/0/0/1/2/0/4/0/0/1/3!"),
+                       "from 1 to 3 is not between its knots"));
+}
+
+}  // namespace step_file_test
