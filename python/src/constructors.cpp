@@ -83,6 +83,13 @@ nb::object from_hopf(nb::handle alpha, nb::handle beta, nb::handle multiplier, n
   return wrap(of_preimage(from_hopf_form(form), multiplier, start, name, basis));
 }
 
+nb::object from_complex(nb::handle w, nb::handle multiplier, nb::handle start,
+                        const Text<"name">& name, const Text<"basis">& basis_name) {
+  const std::string basis = basis_named(basis_name);
+  return wrap(
+      of_preimage(from_complex_root(complex_list(w, "w", basis)), multiplier, start, name, basis));
+}
+
 nb::object from_control_points(nb::handle points, const Text<"name">& name) {
   const auto given = vectors(points, "points", 2);
   auto found = without_gil([=] { return answer({name, bezier_hodograph(given), given.front()}); });
@@ -392,6 +399,12 @@ void bind_constructors(nb::module_& m, PathClass& path) {
                   "collections.abc.Sequence[Number]], beta: collections.abc.Sequence[complex "
                   "| collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Path"),
           "Of A = α + kβ: pairs (re, im) of coefficients of α = u + iv, β = q + ip.")
+      .def_static(
+          "from_complex", from_complex, argument("w"), PHRAME_CURVE_PARAMETERS,
+          nb::sig("def from_complex(w: collections.abc.Sequence[complex | "
+                  "collections.abc.Sequence[Number]], " PHRAME_CURVE_SIG ") -> Path"),
+          "The plane PH curve x′ + iy′ = f·w² of numbers or pairs (re, im), the coefficients "
+          "of w.")
       .def_static("from_control_points", from_control_points, argument("points"),
                   argument("name") = "",
                   nb::sig("def from_control_points(points: Vectors, name: str = '') -> Path"),

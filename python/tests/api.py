@@ -96,6 +96,7 @@ API = {
     "Path.split": (QUINTIC.split, {"ts": ["1/3"], "by": "t"}),
     "Path.from_quaternions": (phrame.Curve.from_quaternions, {"quaternions": [[1, 2, 3, 4]], **CURVE}),
     "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
+    "Path.from_complex": (phrame.Path.from_complex, {"w": [1, 1j], **CURVE}),
     "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
     "Path.linking_number": (RING.linking_number, {"other": OTHER_RING}),
     "Path.of": (phrame.Path.of, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),

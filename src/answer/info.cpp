@@ -53,6 +53,24 @@ void add_turning(InfoAnswer& answer, const Curve& curve, long digits) {
   answer.erf_extrema = rounded(turning.extrema, digits);
 }
 
+void add_bends(InfoAnswer& answer, long digits) {
+  const Path& path = answer.path.path;
+  const auto normal = upper_normal(path);
+  if (!normal || rational_curve(path.segments().front()) == nullptr) return;
+  answer.bends.emplace();
+  for (const CurvaturePlace& place : curvature_places(path.segments().front(), *normal))
+    answer.bends->push_back(
+        {place.t, place.kind, rounded(place.curvature, "an extremum of the curvature", digits)});
+}
+
+void add_plane_forms(InfoAnswer& answer, const Curve& curve, long digits) {
+  answer.complex = complex_form(curve);
+  answer.tschirnhausen = tschirnhausen_cubic(curve);
+  if (answer.tschirnhausen)
+    answer.tschirnhausen_scale =
+        rounded_length(square_root_of(answer.tschirnhausen->squared_scale), "the scale", digits);
+}
+
 void add_holonomy(InfoAnswer& answer, const PathAngle& angle, long digits) {
   try {
     if (const auto turn = angle.holonomy())
@@ -104,11 +122,16 @@ InfoAnswer answer(NamedPath named, const InfoQuery& query) {
                            : rounded(twist, "the twist", query.digits);
   const bool is_single = path.segments().size() == 1;
   const Curve* ph = is_single ? ph_curve(path.segments().front()) : nullptr;
-  if (ph != nullptr)
+  if (ph != nullptr) {
     add_turning(answer, *ph, query.digits);
-  else
+    add_plane_forms(answer, *ph, query.digits);
+  } else {
     add_holonomy(answer, angle, query.digits);
-  if (is_single) answer.cusps = cusps(path.segments().front());
+  }
+  if (is_single) {
+    answer.cusps = cusps(path.segments().front());
+    add_bends(answer, query.digits);
+  }
   if (query.wants_box) answer.box = box_of(path, query.digits);
   if (query.nearest) answer.nearest = nearest_to(path, *query.nearest, query.digits);
   return answer;

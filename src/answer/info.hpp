@@ -1,6 +1,8 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
+#include "phrame/ph/along/plane_turning.hpp"
+#include "phrame/ph/curve/complex_form.hpp"
 #include "phrame/ph/curve/nearest.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -42,9 +44,21 @@ struct InfoAnswer {
   std::string no_holonomy = {};  ///< why the holonomy of a closed path is missing: it is undecided
   /// The cusps in [0, 1] of a single rational curve.
   std::vector<RealRoot> cusps = {};
+  /// Where the signed curvature is 0 or has an extremum.
+  struct Bend {
+    RealAlgebraic t;            ///< in (0, 1)
+    CurvaturePlace::Kind kind;  ///< what is there
+    Decimal curvature;          ///< > 0 to the left, seen from the side of upper_normal()
+  };
+  /// All such places of a single rational curve in a plane; no value for others.
+  std::optional<std::vector<Bend>> bends = {};
   // Of a PH curve by itself:
   std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back
   std::vector<Decimal> erf_extrema = {};      ///< in (0, 1), of its rate about e₁
+  std::optional<ComplexForm> complex = {};    ///< where it is in a plane z = const
+  /// Where it is a plane cubic, and no line.
+  std::optional<TschirnhausenCubic> tschirnhausen = {};
+  Length tschirnhausen_scale = {};  ///< a of that
   // Where they are asked for:
   std::optional<std::array<std::array<Decimal, 2>, 3>> box = {};  ///< of x, y, z from and to
   /// The nearest point.

@@ -8,6 +8,7 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/along/plane_turning.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
@@ -67,12 +68,23 @@ std::string why_no_torsion(const Path& path) {
   return "";
 }
 
-void add_rotation_index(Totals& totals, const Path& path, const PathTotal& curvature) {
+void add_absolute_rotation_index(Totals& totals, const Path& path, const PathTotal& curvature) {
   if (const auto index = absolute_rotation_index(path, curvature))
     totals.add(Quantity::rotation_index, *index);
   else
     totals.add_reason(Quantity::rotation_index,
                       path.segments().size() == 1 ? "not a plane curve" : "not in one plane");
+}
+
+/// Of a plane path.
+void add_rotation_index(Totals& totals, const Path& path) {
+  try {
+    if (const auto index = rotation_index(path))
+      totals.add(Quantity::signed_rotation_index, *index);
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::signed_rotation_index,
+                      std::string("undecided: ") + undecided.what());
+  }
 }
 
 /// Of a closed path.
@@ -108,6 +120,7 @@ constexpr std::array quantity_names{"length",
                                     "bending energy",
                                     "energy of the Frenet frame",
                                     "twist of the frame of v",
+                                    "rotation index",
                                     "holonomy",
                                     "turn per length that closes a sweep",
                                     "writhe",
@@ -138,9 +151,10 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
     totals.add(Quantity::up_twist, reference_twist(angle));
   totals.add_frenet(Quantity::torsion, no_torsion, [&] { return total_torsion(path); });
   totals.add(Quantity::curvature, curvature);
-  add_rotation_index(totals, path, curvature);
+  add_absolute_rotation_index(totals, path, curvature);
   totals.add(Quantity::bending_energy, bending_energy(path));
   totals.add_frenet(Quantity::frenet_energy, no_torsion, [&] { return frenet_energy(path); });
+  add_rotation_index(totals, path);
   const Closure closed = closure(path);
   if (!closed.is_closed)
     for (const Quantity quantity :

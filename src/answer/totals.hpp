@@ -22,6 +22,8 @@ enum class Quantity {
   frenet_energy,   ///< ∫ (κ² + τ²) ds
   // Of a path that is not PH, instead of erf_twist:
   up_twist,  ///< ∫ e₂′·e₃ dt of the frame of v
+  // Of a plane path:
+  signed_rotation_index,  ///< ∫ κ ds/2π, κ > 0 to the left
   // Of a path that is closed with a continuous tangent:
   holonomy,      ///< by which angle in (−π, π] a rotation-minimizing frame comes back turned
   closing_turn,  ///< −holonomy/length

@@ -137,7 +137,7 @@ TEST_CASE("path of any kind: what is exact or not defined is said to be so") {
   CHECK(row(found, Quantity::rotation_index).exact == Rational(0));
   CHECK(row(found, Quantity::torsion).reason ==
         "segment 1 is a straight line, which has no torsion");
-  CHECK(found.rows.back().quantity == Quantity::frenet_energy);  // for it is open
+  CHECK(found.rows.back().quantity == Quantity::signed_rotation_index);  // for it is open
   const InfoAnswer info = answer(line, InfoQuery{5});
   CHECK(info.is_straight);
   CHECK_FALSE(info.normal.has_value());

@@ -38,6 +38,26 @@ TEST_CASE("info: the box around a curve, and where it is nearest to a point") {
 }
 
 // The values are those of tests/answer/any_path_test.cpp.
+// w = (1 + i)(1 + it): of 1 + it, a = 1/3 with the focus i/3, times (1 + i)² = 2i.
+TEST_CASE("info and totals: a plane curve by complex numbers") {
+  const Workshop here;
+  here.write("turn.json",
+             R"({"phrame": "curve/1", "basis": "power", "complex": [[1, 1], [-1, 1]]})");
+  const Json info = Json::parse(here.run("info turn.json --print json").out);
+  CHECK(info["complex"]["root"] == Json{{"re", {"1", "-1"}}, {"im", {"1", "1"}}});
+  CHECK(info["tschirnhausen"]["scale"] == "2/3");
+  CHECK(info["tschirnhausen"]["focus"] == Json{"-2/3", "0", "0"});
+  CHECK(info["tschirnhausen"]["axis"] == Json{"-1", "0", "0"});
+  CHECK(info["curvature_places"].empty());
+  const Json totals = Json::parse(here.run("totals turn.json --print json").out);
+  CHECK(totals["signed_rotation_index"]["exact"] == "1/4");
+  here.write("s.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [-1, 2], "y": [-1, 6, -12, 8]}})");
+  CHECK(contains(here.run("info s.json --digits 5").out, "0 at t = 1/2, an inflection"));
+  CHECK(Json::parse(here.run("totals s.json --print json").out)["signed_rotation_index"]["exact"] ==
+        "0");
+}
+
 TEST_CASE("any curve: info and totals, as text, JSON and LaTeX") {
   const Workshop here;
   here.write("loop.json", loop);

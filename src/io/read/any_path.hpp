@@ -8,7 +8,8 @@
 namespace phrame::inline v0 {
 
 /// Reads a path of curves of any kind, exactly (docs/curve-files.md):
-///   curve/1, with `preimage`, `quaternions` or `hopf`; `control_points`, perhaps with `weights`;
+///   curve/1, with `preimage`, `quaternions`, `hopf` or `complex`; `control_points`, perhaps with
+///   `weights`;
 ///   or `position`, polynomials x, y, z, perhaps over w;
 ///   spline/1, `segments` of these, of bspline/1 and nurbs/1;
 ///   bspline/1 and nurbs/1; points/1, a cubic spline through points; tables of points, of text,

@@ -21,11 +21,11 @@ struct CurveLimits {
   std::optional<Rational> gap = {};
 };
 
-/// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions` or `hopf`, with `basis`
-/// and optionally `name`, `start` and `multiplier` (in the same basis); or `control_points` of a
-/// Bézier curve, which is identified as a PH curve or refused. Numbers are read exactly.
-/// `note`, `family` and `expected` are remarks and are skipped.
-/// Throws InputError; its place is a JSON pointer, or line:column where the JSON itself is broken.
+/// Reads a curve/1 file (README, "Curve files"): `preimage`, `quaternions`, `hopf` or `complex`,
+/// with `basis` and optionally `name`, `start` and `multiplier` (in the same basis); or
+/// `control_points` of a Bézier curve, which is identified as a PH curve or refused. Numbers are
+/// read exactly. `note`, `family` and `expected` are remarks and are skipped. Throws InputError;
+/// its place is a JSON pointer, or line:column where the JSON itself is broken.
 PHRAME_API NamedCurve read_curve(std::string_view text, const CurveLimits& limits = {});
 /// The same as a part of a document.
 PHRAME_API NamedCurve read_curve(const JsonNode& node, const CurveLimits& limits = {});

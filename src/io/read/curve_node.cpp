@@ -5,6 +5,7 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/complex_form.hpp"
 
 namespace phrame::inline v0 {
 
@@ -90,19 +91,25 @@ QuaternionPolynomial read_hopf(const Node& node, const CoefficientBasis& basis) 
   return from_hopf_form({{a_re, a_im}, {b_re, b_im}});
 }
 
+QuaternionPolynomial read_complex(const Node& node, const CoefficientBasis& basis) {
+  const auto [re, im] = read_tuples<2>(node, basis);
+  return from_complex_root({re, im});
+}
+
 QuaternionPolynomial read_preimage(const Node& curve, const CoefficientBasis& basis) {
   std::vector<std::string> given;
-  for (const char* key : {"preimage", "quaternions", "hopf"})
+  for (const char* key : {"preimage", "quaternions", "hopf", "complex"})
     if (curve.find(key)) given.emplace_back(key);
   if (given.size() != 1)
     curve.fail(given.empty()
-                   ? "a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and "
-                     "\"control_points\""
+                   ? "a curve needs one of \"preimage\", \"quaternions\", \"hopf\", \"complex\" "
+                     "and \"control_points\""
                    : fmt::format("\"{}\" and \"{}\" exclude each other", given[0], given[1]));
   const Node node = curve.at(given.front());
   QuaternionPolynomial preimage = given.front() == "preimage"      ? read_components(node, basis)
                                   : given.front() == "quaternions" ? read_quaternions(node, basis)
-                                                                   : read_hopf(node, basis);
+                                  : given.front() == "hopf"        ? read_hopf(node, basis)
+                                                                   : read_complex(node, basis);
   if (is_zero(preimage)) node.fail("the preimage is zero, so the curve is a single point");
   return preimage;
 }
@@ -123,8 +130,8 @@ void require_format(const Node& node, std::string_view wanted) {
 
 void require_curve_keys(const Node& node) {
   node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                           "control_points", "weights", "position", "expressions", "variable",
-                           "from", "to", "multiplier", "note", "family", "expected"});
+                           "complex", "control_points", "weights", "position", "expressions",
+                           "variable", "from", "to", "multiplier", "note", "family", "expected"});
 }
 
 void require_curve(const Node& node) {
@@ -161,7 +168,7 @@ NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
 
 // The points say all: where the curve starts and, by its hodograph, f.
 NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits& limits) {
-  for (const char* key : {"preimage", "quaternions", "hopf", "multiplier", "start"})
+  for (const char* key : {"preimage", "quaternions", "hopf", "complex", "multiplier", "start"})
     if (node.find(key))
       node.fail(fmt::format("\"control_points\" and \"{}\" exclude each other", key));
   if (const auto basis = node.find("basis"); basis && basis->string() != "bernstein")

@@ -40,8 +40,8 @@ std::string read_variable(const std::optional<JsonNode>& given) {
 }  // namespace
 
 GivenSegment read_expression_segment(const JsonNode& node, const JsonNode& expressions) {
-  for (const char* other : {"preimage", "quaternions", "hopf", "control_points", "weights",
-                            "position", "multiplier", "start", "basis"})
+  for (const char* other : {"preimage", "quaternions", "hopf", "complex", "control_points",
+                            "weights", "position", "multiplier", "start", "basis"})
     if (node.find(other))
       node.fail("\"expressions\" and \"" + std::string(other) + "\" exclude each other");
   expressions.require(JsonNode::Kind::object, "an object with \"x\", \"y\" and perhaps \"z\"");

@@ -43,8 +43,9 @@ GivenSegment read_bezier_segment(const JsonNode& node, const JsonNode& list,
 
 GivenSegment read_position_segment(const JsonNode& node, const JsonNode& position,
                                    const CurveLimits& limits) {
-  refuse_keys_beside(node, "position",
-                     {"preimage", "quaternions", "hopf", "multiplier", "start", "weights"});
+  refuse_keys_beside(
+      node, "position",
+      {"preimage", "quaternions", "hopf", "complex", "multiplier", "start", "weights"});
   const CoefficientBasis basis(node, limits);
   position.require_known_keys({"x", "y", "z", "w"});
   std::vector<JsonNode> lists{position.at("x"), position.at("y")};

@@ -8,6 +8,7 @@
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -77,31 +78,78 @@ Value sign_value(const Curve& curve) {
           Value::Json()};
 }
 
+/// A row for each extremum and inflection of a plane curve.
+Field bends_field(const std::vector<InfoAnswer::Bend>& bends) {
+  using Kind = CurvaturePlace::Kind;
+  const auto name = [](Kind kind) {
+    return kind == Kind::inflection ? "inflection" : kind == Kind::greatest ? "greatest" : "least";
+  };
+  const auto rows = [&bends, name](Notation notation) {
+    std::vector<std::string> list;
+    for (const auto& [t, kind, curvature] : bends) {
+      const std::string at = formula("t =", notation) + " " + in_words(t, notation);
+      list.push_back(kind == Kind::inflection ? "0 at " + at + ", an inflection"
+                                              : Value(curvature).rows(notation).front() + " at " +
+                                                    at + ", " + name(kind) + " there");
+    }
+    return list;
+  };
+  const auto json = [name](const InfoAnswer::Bend& bend) -> JsonOutput {
+    return {
+        {"t", json_of(bend.t)}, {"kind", name(bend.kind)}, {"curvature", json_of(bend.curvature)}};
+  };
+  return {"curvature_places", "curvature $κ$", {Value::Rows(rows), [&bends, json] {
+                                                  return array_of(bends, json);
+                                                }}};
+}
+
+Field complex_field(const ComplexForm& form, const Polynomial& f) {
+  return object_field(
+      "complex", {{"multiplier", form.multiplier == f ? "" : "$f$ of $r′ = f·w²$", form.multiplier},
+                  {"root", "$w$ of $r′ = f·w²$", form.root}});
+}
+
+Field tschirnhausen_field(const TschirnhausenCubic& cubic, const InfoAnswer::Length& scale) {
+  const Vector<Rational> to_focus = cubic.focus - cubic.vertex;
+  const Rational unit = content(Polynomial{to_focus[0], to_focus[1], to_focus[2]});
+  return object_field("tschirnhausen", {{"scale", "Tschirnhausen $a$", length_value(scale)},
+                                        {"vertex", "  vertex", cubic.vertex},
+                                        {"t", "  there $t$", cubic.vertex_at},
+                                        {"focus", "  focus", cubic.focus},
+                                        {"axis", "  axis", Rational(1 / abs(unit)) * to_focus}});
+}
+
 /// Of a PH curve by itself.
 Fields ph_fields(const InfoAnswer& info, const Curve& curve, const Field& length) {
   const QuaternionPolynomial& a = curve.preimage();
   const Polynomial& f = curve.multiplier();
   const AngleSplit split = closed_split(a);
-  return {json_field("degree", degree(curve)),
-          json_field("preimage_degree", preimage_degree(curve)),
-          preimage_field(a),
-          {"multiplier", f == Polynomial{1} ? "" : "multiplier $f$", f},
-          {"sigma", "$σ = |A|²$", Factored{sigma(a)}},
-          {"h", "$h$", Factored{twist_numerator(a)}},
-          {"g", "$g$", bend_numerator(a)},
-          {"rho", "$ρ = 4|g|²$", Factored{rho(a)}},
-          {"triple_product", "$(r′ × r″)·r‴$", Factored{triple_product(curve)}},
-          object_field("split", {{"a", "  split $a$", split.a}, {"b", "  split $b$", split.b}}),
-          in_json(length),
-          {"control_points", "", control_points_value(curve)},
-          {"", "$r(0)$", curve.start()},
-          {"end_point", "$r(1)$", evaluate(position(curve), 1)},
-          {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)},
-          {"", "sign of $f$", sign_value(curve)},
-          out_of_json(length),
-          {"twist_erf", "twist $∫₀¹ 2h/σ$", info.twist},
-          {"erf_inflections", "ERF turns back", places(info.erf_inflections)},
-          {"erf_extrema", "extremum of $ω₁$", places(info.erf_extrema)}};
+  Fields fields{
+      json_field("degree", degree(curve)),
+      json_field("preimage_degree", preimage_degree(curve)),
+      preimage_field(a),
+      {"multiplier", f == Polynomial{1} ? "" : "multiplier $f$", f},
+      {"sigma", "$σ = |A|²$", Factored{sigma(a)}},
+      {"h", "$h$", Factored{twist_numerator(a)}},
+      {"g", "$g$", bend_numerator(a)},
+      {"rho", "$ρ = 4|g|²$", Factored{rho(a)}},
+      {"triple_product", "$(r′ × r″)·r‴$", Factored{triple_product(curve)}},
+      object_field("split", {{"a", "  split $a$", split.a}, {"b", "  split $b$", split.b}}),
+      in_json(length),
+      {"control_points", "", control_points_value(curve)},
+      {"", "$r(0)$", curve.start()},
+      {"end_point", "$r(1)$", evaluate(position(curve), 1)},
+      {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)},
+      {"", "sign of $f$", sign_value(curve)},
+      out_of_json(length),
+      {"twist_erf", "twist $∫₀¹ 2h/σ$", info.twist},
+      {"erf_inflections", "ERF turns back", places(info.erf_inflections)},
+      {"erf_extrema", "extremum of $ω₁$", places(info.erf_extrema)}};
+  if (info.complex) fields.push_back(complex_field(*info.complex, f));
+  if (info.tschirnhausen)
+    fields.push_back(tschirnhausen_field(*info.tschirnhausen, info.tschirnhausen_scale));
+  if (info.bends) fields.push_back(bends_field(*info.bends));
+  return fields;
 }
 
 /// "3", or "2/2" where it is X/W; "–" of a curve by formulas.
@@ -142,13 +190,15 @@ Field vector_field(const std::string& key, const std::string& name, const Vector
 Fields polynomial_fields(const InfoAnswer& info, const RationalCurve& curve) {
   const Polynomial& w = curve.weight();
   const Polynomial& p = curve.multiplier();
-  return {vector_field("numerator", "X", curve.numerator()),
-          {"weight", w == Polynomial{1} ? "" : "$W$", w},
-          vector_field("direction", "H", curve.direction()),
-          {"multiplier", p.is_constant() ? "" : "$p$", p},
-          {"", "$r(0)$", point(curve, 0)},
-          {"", "$r(1)$", point(curve, 1)},
-          {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}};
+  Fields fields{vector_field("numerator", "X", curve.numerator()),
+                {"weight", w == Polynomial{1} ? "" : "$W$", w},
+                vector_field("direction", "H", curve.direction()),
+                {"multiplier", p.is_constant() ? "" : "$p$", p},
+                {"", "$r(0)$", point(curve, 0)},
+                {"", "$r(1)$", point(curve, 1)},
+                {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}};
+  if (info.bends) fields.push_back(bends_field(*info.bends));
+  return fields;
 }
 
 /// Of the plane that the path is in, if it is in one.

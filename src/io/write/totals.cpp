@@ -22,7 +22,7 @@ struct Label {
   const char* symbol;  ///< in a formula of prose()
 };
 
-constexpr std::array<Label, 13> labels{{{"length", "∫ ds"},
+constexpr std::array<Label, 14> labels{{{"length", "∫ ds"},
                                         {"erf_twist", "∫ 2h/σ\\, dt"},
                                         {"torsion", "∫ τ\\, ds"},
                                         {"curvature", "∫ κ\\, ds"},
@@ -30,6 +30,7 @@ constexpr std::array<Label, 13> labels{{{"length", "∫ ds"},
                                         {"bending_energy", "∫ κ²\\, ds"},
                                         {"frenet_energy", "∫ (κ² + τ²)\\, ds"},
                                         {"up_twist", "∫ e₂′·e₃\\, dt"},
+                                        {"signed_rotation_index", "∫ ±κ\\, ds/2π"},
                                         {"holonomy", ""},
                                         {"closing_turn_per_length", ""},
                                         {"writhe", ""},

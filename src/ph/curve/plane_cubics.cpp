@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 
 namespace phrame::inline v0 {
 namespace {

@@ -77,6 +77,26 @@ TEST_CASE("curve files: preimage, quaternions and hopf in either basis give the 
   CHECK(read_curve(file(forms[0])).name.empty());
 }
 
+// r′ = w², w = (1 + i)(1 − t)² + 2t(1 − t)·2 − i·t² = 1 + i + (2 − 2i)t − 3t².
+TEST_CASE("curve files: a plane curve by the complex numbers of w, in either basis") {
+  const Curve expected({Polynomial{1, 2, -3}, {}, {}, Polynomial{1, -2}}, {2, -2}, {1, 2, 3});
+  const std::string start = R"(, "start": [1, 2, 3])";
+  CHECK(read_curve(file(R"("basis": "power", "multiplier": [2, -2],
+      "complex": [[1, 1], [2, -2], [-3, 0]])" +
+                        start))
+            .curve == expected);
+  CHECK(read_curve(file(R"("basis": "bernstein", "multiplier": [2, 1, 0],
+      "complex": [[1, 1], [2, 0], [0, -1]])" +
+                        start))
+            .curve == expected);
+  CHECK(refusal(file(R"("basis": "power", "complex": [[1, 0, 2]])")) ==
+        "/complex/0: 2 numbers are wanted, not 3");
+  CHECK(refusal(file(R"("basis": "power", "complex": [[0, 0], [0, 0]])")) ==
+        "/complex: the preimage is zero, so the curve is a single point");
+  CHECK(refusal(file(R"("basis": "power", "complex": [[1, 0]], "hopf": {})")) ==
+        "/: \"hopf\" and \"complex\" exclude each other");
+}
+
 TEST_CASE("curve files: short lists are padded in the power basis") {
   const Curve curve = read_curve(file(R"("basis": "power",
       "preimage": {"u": [1, 2, 3], "v": [4], "p": [0, 0, 0, 0], "q": [0]})"))
@@ -203,7 +223,8 @@ TEST_CASE("curve files: what is missing is named") {
   CHECK(refusal("{}") == "/: the key \"phrame\" is missing");
   CHECK(refusal(R"({"phrame": "curve/1"})") == "/: the key \"basis\" is missing");
   CHECK(refusal(file(R"("basis": "power")")) ==
-        "/: a curve needs one of \"preimage\", \"quaternions\", \"hopf\" and \"control_points\"");
+        "/: a curve needs one of \"preimage\", \"quaternions\", \"hopf\", \"complex\" and "
+        "\"control_points\"");
   CHECK(refusal(file(R"("basis": "power", "preimage": {"u": [1], "v": [0], "q": [0]})")) ==
         "/preimage: the key \"p\" is missing");
   CHECK(refusal(file(R"("basis": "power", "hopf": {"alpha": [[1, 0]]})")) ==
