@@ -211,7 +211,7 @@ TEST_CASE("--near: splines get exact joints") {
     {"control_points": [[0.6666666666666666, 1, 0], [0.6666666666666666, 1.6666666666666667, 0],
                         [0.3333333333333333, 2, 0], [0, 2, 0]]}]})");
   const Run refused = here.run("sweep spline.json --exact --profile circle:1");
-  CHECK(refused.status == 2);
+  CHECK(refused.status == 3);
   const Run angle = here.run("angle spline.json --near 1e-14 --at 2");
   CHECK(angle.status == 0);
   CHECK(contains(angle.err, "in its place a PH spline at most "));
