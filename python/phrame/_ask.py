@@ -9,9 +9,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Dict, Optional
 
-import numpy as np
-
-from . import _numbers, _phrame
+from . import _phrame
 from ._errors import InputError
 
 _extension: Any = _phrame  # whose stub has what is public
@@ -41,6 +39,10 @@ def _text_of(file: Any, place: str) -> str:
 
 def _json(x: Any, place: str, is_file: bool = False) -> Any:
     """Numbers exactly, as JSON has them or as texts."""
+    import numpy as np  # when it is wanted: the package is imported, for its stub, where NumPy is not
+
+    from . import _numbers
+
     if isinstance(x, os.PathLike) or (is_file and isinstance(x, str)):
         return _text_of(x, place)
     if isinstance(x, (bool, str)):

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from pathlib import Path as File
-from typing import Any, Dict, List, Optional
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Dict, List, Optional
 
 from . import _phrame
 from ._errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 _FOLDER = File(__file__).parent / "reference"
 
@@ -51,6 +52,8 @@ class ReferenceCurve:
     @property
     def frames(self) -> NDArray[np.float64]:
         """(n, 4, 3): r, e1, f2, f3 at these t, the doubles nearest to the exact numbers."""
+        import numpy as np  # when it is wanted: the package is imported, for its stub, where NumPy is not
+
         rows = [[float(x) for x in row] for row in self.expected["frames"]]
         return np.array(rows).reshape(-1, 4, 3)
 

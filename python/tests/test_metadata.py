@@ -1,6 +1,8 @@
 """What pyproject.toml, CITATION.cff, LICENSE and CMake say of the project is the same."""
 
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -29,3 +31,10 @@ def test_the_tables_can_be_read():
 def test_the_citation_can_be_read():
     citation = pytest.importorskip("yaml").safe_load(text("CITATION.cff"))
     assert citation["cff-version"] == "1.2.0" and citation["authors"] and citation["title"] == "phrame"
+
+
+def test_the_package_is_imported_where_numpy_is_not():
+    """As it is when its stub is made for a wheel."""
+    program = "import sys; sys.modules['numpy'] = None; import phrame; print(phrame.__version__)"
+    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert run.stdout.strip() == phrame.__version__, run.stderr
