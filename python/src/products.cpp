@@ -121,8 +121,6 @@ nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle j
   const Rational d = rational(distance, "distance");
   if (d == 0) refuse("distance", "0 is no distance", distance);
   const auto joined_by = chosen<OffsetJoin>(text(join, "join"), "join", offset_joins());
-  if (trim && joined_by == OffsetJoin::mitre)
-    refuse("join", "what is trimmed is joined by arcs or left open, not mitred", join);
   OffsetQuery query{{d}, joined_by};
   query.trim = trim.value;
   nb::list list;

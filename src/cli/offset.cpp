@@ -26,8 +26,6 @@ OffsetQuery query(const OffsetOptions& options) {
     query.distances.push_back(parse_option("--distance", text));
     if (query.distances.back() == 0) throw InputError("--distance", "0 is no distance");
   }
-  if (query.trim && query.join == OffsetJoin::mitre)
-    throw InputError("--trim", "what is trimmed is joined by arcs or left open, not mitred");
   return query;
 }
 

@@ -121,8 +121,6 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   CHECK(contains(here.run("info in.json").out, "closed"));
   here.write("turn.json", turn);
   CHECK(contains(here.run("offset turn.json --distance -1 --trim --print latex").out, "stretch"));
-  check_failure(here.run("offset turn.json --distance 1 --trim --join mitre -o off.json"), 2,
-                "phrame: --trim: what is trimmed is joined by arcs or left open, not mitred\n");
   here.write("back.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [1, -3],
       "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
   check_failure(here.run("offset back.json --distance 1 --trim -o off.json"), 3,

@@ -6,6 +6,10 @@
 // changes its sign. So between two such places one point tells for all. A part of which one point
 // of the path is seen to be nearer than |d| has no such place.
 //
+// With mitres, what is between them and the path counts as nearer, too: kites, of which two sides
+// are mitres, which are boundary curves in place of the arcs, and two are at less than |d| from the
+// corner.
+//
 // Branches that coincide are lines, circles about one corner, or the same curve. One does not cross
 // the other, as parallel lines do not, and the ends of each cut the other one.
 #include "phrame/ph/offset/offset_trim.hpp"
@@ -13,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -53,6 +58,10 @@ Vector<Polynomial> constant(const Vector<Rational>& at) {
   return {Polynomial{at[0]}, Polynomial{at[1]}, Polynomial{at[2]}};
 }
 
+bool is_line(const RationalCurve& curve) {
+  return degree(curve) == 1 && curve.weight().is_constant();
+}
+
 class StrokeMaker {
  public:
   StrokeMaker(const PhPath& path, const Offset& offset) : path_(path), offset_(offset) {}
@@ -85,7 +94,8 @@ class StrokeMaker {
       stroke_.branches.behind.push_back(behind == no_segment ? no_segment : first + behind);
       const OffsetPiece& piece = offset.pieces[k];
       const Curve& base = path.segments()[piece.segment];
-      stroke_.centers.push_back(piece.is_join ? std::optional(base.start()) : std::nullopt);
+      const bool is_arc = piece.is_join && !is_line(piece.curve);
+      stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : position(base));
     }
     if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
@@ -104,10 +114,6 @@ class StrokeMaker {
   const Offset& offset_;
   Stroke stroke_;
 };
-
-bool is_line(const RationalCurve& curve) {
-  return degree(curve) == 1 && curve.weight().is_constant();
-}
 
 /// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
 std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
@@ -129,6 +135,16 @@ std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Ra
   const Vector<Rational> middle = point(curve, Rational(1, 2));
   return fmt::format("curve {} {} {} {}", names[0], names[1], to_string(middle[0]),
                      to_string(middle[1]));
+}
+
+/// t of the line where it crosses the other one, which is not parallel.
+Rational share_up_to(const RationalCurve& line, const RationalCurve& other) {
+  const Vector<Rational> from = point(line, 0);
+  const Vector<Rational> way = point(line, 1) - from;
+  const Vector<Rational> start = point(other, 0);
+  const Vector<Rational> across = point(other, 1) - start;
+  const Vector<Rational> gap = start - from;
+  return (gap[0] * across[1] - gap[1] * across[0]) / (way[0] * across[1] - way[1] * across[0]);
 }
 
 /// Where in a part of the curve it meets the line or the circle that another one is part of; no
@@ -156,6 +172,56 @@ std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
   for (const RealRoot& root : real_roots(gap, interval_of(part))) found.push_back(root.at);
   return found;
 }
+
+/// What is between the mitres of an offset and the path: kites with the corner, the tip, and the
+/// ends of the offsets of both sides.
+class MitreKites {
+ public:
+  MitreKites(const PhPath& path, const Offset& offset) {
+    const auto& pieces = offset.pieces;
+    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+      if (!pieces[k].is_join || !is_line(pieces[k].curve)) continue;
+      const Vector<Rational>& corner = path.segments()[pieces[k].segment].start();
+      Kite kite{{corner, point(pieces[k].curve, 0), point(pieces[k].curve, 1),
+                 point(pieces[k + 1].curve, 1)}};
+      if (side(kite.points[0], kite.points[1], kite.points[2]) < 0)
+        std::swap(kite.points[1], kite.points[3]);
+      const Vector<Rational> reach = kite.points[2] - corner;
+      kite.center = {round_to_double(corner[0]), round_to_double(corner[1])};
+      kite.reach = 1.001 * round_to_double(abs(reach[0]) + abs(reach[1])) +
+                   1e-12 * (std::abs(kite.center[0]) + std::abs(kite.center[1]));
+      kites_.push_back(std::move(kite));
+      ++k;
+    }
+  }
+
+  /// Is the point inside one of them, not on its boundary?
+  bool contain(const Vector<Rational>& at) const {
+    const double x = round_to_double(at[0]);
+    const double y = round_to_double(at[1]);
+    return std::ranges::any_of(kites_, [&](const Kite& kite) {
+      if (std::abs(x - kite.center[0]) > kite.reach || std::abs(y - kite.center[1]) > kite.reach)
+        return false;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (side(kite.points[k], kite.points[(k + 1) % 4], at) <= 0) return false;
+      return true;
+    });
+  }
+
+ private:
+  struct Kite {
+    std::array<Vector<Rational>, 4> points;  ///< to the left
+    std::array<double, 2> center{};          ///< the corner
+    double reach = 0;                        ///< nothing of it is farther from that, in x and in y
+  };
+
+  /// 1 where c is to the left of the line from a to b.
+  static int side(const Vector<Rational>& a, const Vector<Rational>& b, const Vector<Rational>& c) {
+    return Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
+  }
+
+  std::vector<Kite> kites_;
+};
 
 /// Sets that are joined.
 class Classes {
@@ -204,14 +270,15 @@ struct Edge {
 
 class Trimmer {
  public:
-  Trimmer(const PhPath& path, const Rational& d)
+  Trimmer(const PhPath& path, const Rational& d, OffsetJoin join)
       : path_(path),
-        result_{phrame::offset(path, d), {}, {}},
+        result_{phrame::offset(path, d, join), {}, {}},
         own_(result_.offset.pieces.size()),
         stroke_(StrokeMaker(path, result_.offset).make()),
         series_(std::make_shared<const CurveSeries>(
             plane_series(stroke_.branches.curves, stroke_.branches.behind))),
         distance_(path, d),
+        kites_(path, result_.offset),
         events_(own_) {}
 
   TrimmedOffset make() {
@@ -269,6 +336,11 @@ class Trimmer {
     }
   }
 
+  /// Are they parallel lines?
+  bool are_parallel(std::size_t a, std::size_t b) const {
+    return parallels_[a] != 0 && parallels_[a] == parallels_[b];
+  }
+
   void find_coincidences() {
     std::map<std::string, std::vector<std::size_t>> carriers;
     for (std::size_t k = 0; k < stroke_.branches.curves.size(); ++k)
@@ -311,8 +383,7 @@ class Trimmer {
     query.are_idle = [&](const CurveNode& a, const CurveNode& b) {
       if (a.first_segment >= own_ && b.first_segment >= own_) return true;
       if (!a.is_arc() || !b.is_arc()) return false;
-      const std::size_t direction = parallels_[a.first_segment];
-      if (direction != 0 && direction == parallels_[b.first_segment]) return true;
+      if (are_parallel(a.first_segment, b.first_segment)) return true;
       return coincident_.contains({a.first_segment, b.first_segment});
     };
     query.is_idle_beside = [&](const CurveNode& a, const CurveNode& b) {
@@ -326,6 +397,7 @@ class Trimmer {
     if (found.is_cut_off)
       throw Undecided("trimmed_offset: too many branches of the offset touch each other");
     for (const Crossing& x : found.found) {
+      if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
       const std::size_t place = classes_.add();
       const auto [s, t] = parameters(x);
       add_event(x.first_segment, s, place);
@@ -341,7 +413,7 @@ class Trimmer {
   /// Where lines and circles are touched is decided by algebra.
   void add_touching(const CurvePart& part, const CurvePart& other, std::size_t place) {
     const auto& curves = stroke_.branches.curves;
-    if (part.segment >= own_) return;
+    if (part.segment >= own_ || coincident_.contains({part.segment, other.segment})) return;
     const auto found =
         meetings(curves[part.segment], part, curves[other.segment], stroke_.centers[other.segment]);
     if (!found) return add_fuzzy(part, place);
@@ -361,7 +433,8 @@ class Trimmer {
   std::pair<Real, Real> parameters(const Crossing& x) const {
     const RationalCurve& a = stroke_.branches.curves[x.first_segment];
     const RationalCurve& b = stroke_.branches.curves[x.second_segment];
-    // Rational, where both are lines and often else.
+    if (is_line(a) && is_line(b)) return {Real(share_up_to(a, b)), Real(share_up_to(b, a))};
+    // Rational often.
     const auto [s, t] = narrowed(*series_, x, 2 * place_bits);
     const Rational p = simplest_between(s.lower(), s.upper());
     const Rational q = simplest_between(t.lower(), t.upper());
@@ -404,13 +477,33 @@ class Trimmer {
     return of.is_join ? distance_.nearer_point(at) : distance_.nearer_point(at, of.segment, t);
   }
 
+  /// Is it on an earlier line, too, that goes the same way? Of mitres that shut a neck one is left.
+  bool is_doubled(std::size_t piece, const Rational& t) const {
+    const RationalCurve& curve = stroke_.branches.curves[piece];
+    if (!is_line(curve)) return false;
+    const Vector<Rational> at = point(curve, t);
+    const Vector<Rational> way = point(curve, 1) - point(curve, 0);
+    for (auto pair = coincident_.lower_bound({piece, 0});
+         pair != coincident_.end() && pair->first == piece && pair->second < piece; ++pair) {
+      const RationalCurve& other = stroke_.branches.curves[pair->second];
+      const Rational start = dot(way, point(other, 0));
+      const Rational end = dot(way, point(other, 1));
+      const Rational here = dot(way, at);
+      if (start < here && here < end) return true;
+    }
+    return false;
+  }
+
   void add_edges(std::size_t piece) {
     const std::vector<Cluster> places = clusters(piece);
     std::vector<bool> left;
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       const Rational quarter = (places[k + 1].lower - places[k].upper) / 4;
-      left.push_back(!nearer_point(
-          piece, simplest_between(places[k].upper + quarter, places[k + 1].lower - quarter)));
+      const Rational sample =
+          simplest_between(places[k].upper + quarter, places[k + 1].lower - quarter);
+      left.push_back(!nearer_point(piece, sample) &&
+                     !kites_.contain(point(result_.offset.pieces[piece].curve, sample)) &&
+                     !is_doubled(piece, sample));
     }
     std::optional<std::size_t> from;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -498,6 +591,7 @@ class Trimmer {
   Stroke stroke_;
   std::shared_ptr<const CurveSeries> series_;
   PathDistance distance_;
+  MitreKites kites_;
   std::vector<std::vector<Event>> events_;
   std::vector<std::size_t> starts_;
   std::vector<std::size_t> ends_;
@@ -593,12 +687,11 @@ std::vector<TrimmedBranch> opened(const TrimmedOffset& trimmed) {
 }  // namespace
 
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin join) {
-  if (join == OffsetJoin::mitre)
-    throw DomainError("trimmed_offset: what is trimmed is joined by arcs or left open, not mitred");
   require_no_turning_back(path);
-  Offset whole = phrame::offset(path, d);
+  const OffsetJoin trimmed = join == OffsetJoin::mitre ? join : OffsetJoin::round;
+  Offset whole = phrame::offset(path, d, trimmed);
   const PathInParts fine = in_turning_parts(path);
-  const TrimmedOffset found = Trimmer(fine.path, d).make();
+  const TrimmedOffset found = Trimmer(fine.path, d, trimmed).make();
   TrimmedOffset result = Reunion(found, fine.parts, std::move(whole)).make();
   if (join == OffsetJoin::open) result.branches = opened(result);
   return result;

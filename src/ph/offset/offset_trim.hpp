@@ -27,20 +27,20 @@ struct UndecidedStretch {
 
 /// What is left of an offset without all that is nearer to the path than |d|.
 struct TrimmedOffset {
-  Offset offset;                            ///< all of it, with round joins
+  Offset offset;                            ///< all of it, with round joins or mitres
   std::vector<TrimmedBranch> branches;      ///< by the places where they start
   std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch or coincide
 };
 
 /// The offset of a path in a plane z = const, joined at corners by arcs or, where that is asked
-/// for, left open there, without all points that are nearer to any point of the path than |d|. That
-/// is cut at crossings of the offset with itself, with that to the other side and with the
-/// half-circles about the ends of an open path, and at cusps, all of which are found with proof;
-/// between these the distance of one rational point is compared with |d|, exactly. Where branches
-/// coincide they are at the distance |d| from both sides, and both are left. Throws DomainError as
-/// offset(), and for a path that turns back at a cusp and mitres; Undecided where so many branches
-/// touch that the search is cut off. Cost: pairs of short arcs whose boxes meet, where no point of
-/// the path is seen to be nearer.
+/// for, by mitres or left open there, without all points that are nearer to any point of the path
+/// than |d|, or between a mitre and the path. That is cut at crossings of the offset with itself,
+/// with that to the other side and with the half-circles about the ends of an open path, and at
+/// cusps, all of which are found with proof; between these the distance of one rational point is
+/// compared with |d|, exactly. Where branches coincide they are at the distance |d| from both
+/// sides, and both are left. Throws DomainError as offset(), and for a path that turns back at a
+/// cusp; Undecided where so many branches touch that the search is cut off. Cost: pairs of short
+/// arcs whose boxes meet, where no point of the path is seen to be nearer.
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);
 

@@ -7,6 +7,7 @@
 
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/turning_parts.hpp"
 
@@ -60,8 +61,18 @@ struct PartMeasure {
   Real area;
 };
 
+/// Of a mitre, a straight line with a rational length.
+PartMeasure measure_line(const RationalCurve& line, const OffsetPart& part) {
+  const Vector<Rational> start = point(line, 0);
+  const Vector<Rational> way = point(line, 1) - start;
+  const Real share = part.to + -part.from;
+  return {square_root_of(Rational(way[0] * way[0] + way[1] * way[1])) * share,
+          Real(Rational((start[0] * way[1] - start[1] * way[0]) / 2)) * share};
+}
+
 PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetPart& part) {
   const OffsetPiece& piece = offset.pieces[part.piece];
+  if (piece.is_join && piece.curve.weight().is_constant()) return measure_line(piece.curve, part);
   const Curve& curve = path.segments()[piece.segment];
   Vector<Polynomial> r{Polynomial{curve.start()[0]}, Polynomial{curve.start()[1]}, {}};
   Polynomial s;
