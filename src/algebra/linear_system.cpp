@@ -18,6 +18,19 @@ struct RationalMatrix {
   }
 };
 
+struct BallMatrix {
+  arb_mat_t value;
+  BallMatrix(slong rows, slong columns) { arb_mat_init(value, rows, columns); }
+  ~BallMatrix() { arb_mat_clear(value); }
+  BallMatrix(const BallMatrix&) = delete;
+  BallMatrix& operator=(const BallMatrix&) = delete;
+
+  void set_column(slong k, const std::vector<RealBall>& x) {
+    slong row = 0;
+    for (const RealBall& entry : x) arb_set(arb_mat_entry(value, row++, k), entry.raw());
+  }
+};
+
 }  // namespace
 
 std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Polynomial>& columns,
@@ -32,6 +45,21 @@ std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Po
   if (fmpq_mat_solve(x.value, a.value, b.value) == 0) return std::nullopt;
   std::vector<Rational> solution;
   for (long k = 0; k < equations; ++k) solution.emplace_back(fmpq_mat_entry(x.value, k, 0));
+  return solution;
+}
+
+std::optional<std::vector<RealBall>> solve(const std::vector<std::vector<RealBall>>& columns,
+                                           const std::vector<RealBall>& right_side, long bits) {
+  const auto size = static_cast<slong>(columns.size());
+  BallMatrix a(size, size);
+  BallMatrix x(size, 1);
+  BallMatrix b(size, 1);
+  for (slong k = 0; k < size; ++k) a.set_column(k, columns[static_cast<std::size_t>(k)]);
+  b.set_column(0, right_side);
+  if (arb_mat_solve(x.value, a.value, b.value, bits) == 0) return std::nullopt;
+  std::vector<RealBall> solution(columns.size());
+  for (slong k = 0; k < size; ++k)
+    arb_set(solution[static_cast<std::size_t>(k)].raw(), arb_mat_entry(x.value, k, 0));
   return solution;
 }
 

@@ -169,6 +169,15 @@ Real kept_term(const Real& term, const std::shared_ptr<const Path>& path, std::s
   });
 }
 
+/// What of the sum is no logarithm.
+RealBall rational_part(const Path& path, TotalRate (*rate_of)(const Curve&)) {
+  RealBall sum;
+  for (const Segment& segment : path.segments())
+    sum = add(sum, RealBall(without_logarithms(rate_of(*ph_curve(segment))), first_bits_of_sums),
+              first_bits_of_sums);
+  return sum;
+}
+
 /// Of several PH curves the sum, where it is seen to be irrational, and not known in finite terms,
 /// for that of the first one is not: without closed forms, which take long and are not asked for.
 std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
@@ -194,9 +203,10 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
     if (!found) return std::nullopt;
     terms.push_back(kept_ball(*found, [term] { return *term(); }));
     value = add(value, terms.back().enclose(bits), bits);
-    rational = add(rational, RealBall(without_logarithms(rate), bits), bits);
+    const auto change = rational.is_finite() ? without_logarithms(rate, bits) : std::nullopt;
+    rational = add(rational, change.value_or(RealBall::unknown()), bits);
   }
-  if (value.overlaps(rational)) return std::nullopt;
+  if (value.overlaps(rational) && value.overlaps(rational_part(path, rate_of))) return std::nullopt;
   return PathTotal{
       {terms.begin(), terms.end()}, known_irrational(sum_of(std::move(terms))), std::nullopt};
 }

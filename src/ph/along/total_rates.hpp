@@ -3,6 +3,7 @@
 
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real.hpp"
+#include "phrame/integrate/rational_change.hpp"
 #include "phrame/ph/curve/curve.hpp"
 
 namespace phrame::inline v0 {
@@ -13,6 +14,7 @@ struct TotalRate {
   RationalFunction rate;        ///< not proper, perhaps
   Polynomial orientation;       ///< where this changes its sign, so does that of the rate
   RationalFunction known = {};  ///< a part of the rational part of the integral, where one is known
+  std::vector<PolePower> denominator = {};  ///< of the rate; none where it may be squarefree
 };
 
 TotalRate bending_energy_rate(const Curve& curve);  ///< κ²·ds/dt
@@ -27,5 +29,7 @@ std::optional<Real> value_without_closed_form(const TotalRate& of);
 /// What of the integral is no logarithm, where value_without_closed_form() is one: apart from that
 /// it is transcendental [Baker 1975].
 Rational without_logarithms(const TotalRate& of);
+/// The same in a ball, much faster, where rational_change() has a value.
+std::optional<RealBall> without_logarithms(const TotalRate& of, long bits);
 
 }  // namespace phrame

@@ -56,9 +56,9 @@ CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomia
 
 /// With the sign of the orientation.
 TotalRate oriented(RationalFunction rate, const Polynomial& orientation,
-                   RationalFunction known = {}) {
-  if (sign_after_zero(orientation) < 0) return {-rate, orientation, -known};
-  return {std::move(rate), orientation, std::move(known)};
+                   RationalFunction known = {}, std::vector<PolePower> denominator = {}) {
+  if (sign_after_zero(orientation) < 0) return {-rate, orientation, -known, std::move(denominator)};
+  return {std::move(rate), orientation, std::move(known), std::move(denominator)};
 }
 
 /// As integrate() has it: f and f − known′ have antiderivatives with the same logarithms.
@@ -126,8 +126,9 @@ TotalRate erf_twist_rate(const Curve& curve) {
 CurveTotal erf_twist(const Curve& curve) { return total(erf_twist_rate(curve)); }
 
 TotalRate bending_energy_rate(const Curve& curve) {
-  const QuaternionPolynomial& a = curve.preimage();
-  return oriented({rho(a), curve.multiplier() * pow(sigma(a), 3)}, curve.multiplier());
+  const Polynomial& f = curve.multiplier();
+  const Polynomial speed = sigma(curve.preimage());
+  return oriented({rho(curve.preimage()), f * pow(speed, 3)}, f, {}, {{f, 1}, {speed, 3}});
 }
 
 std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
@@ -141,10 +142,12 @@ std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
 // so that b²/(fσ) is (N′/(4N·fσ))′ plus what has N in the denominator only once: the rational part
 // of the integral is known as far as N is in it.
 TotalRate frenet_energy_rate(const Curve& curve) {
-  const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
-  const Polynomial size = norm(regular_bend(curve.preimage()));
-  return oriented(squared_frenet_rate(curve) * RationalFunction(speed), curve.multiplier(),
-                  {differentiate(size), Rational(4) * size * speed});
+  const QuaternionPolynomial& a = curve.preimage();
+  const Polynomial& f = curve.multiplier();
+  const Polynomial size = norm(regular_bend(a));
+  return oriented(frenet_rate_by_t(curve), f,
+                  {differentiate(size), Rational(4) * size * f * sigma(a)},
+                  {{f, 1}, {sigma(a), 3}, {rho(a), 2}});
 }
 
 std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
@@ -174,6 +177,11 @@ Rational without_logarithms(const TotalRate& of) {
       algebraic_part(of.known.is_zero() ? of.rate : of.rate - differentiate(of.known)).F;
   F.rational = F.rational + of.known;
   return difference_without_logarithms(F, 0, 1);
+}
+
+std::optional<RealBall> without_logarithms(const TotalRate& of, long bits) {
+  if (of.denominator.empty()) return rational_change(of.rate, {{of.rate.denominator(), 1}}, bits);
+  return rational_change(of.rate, of.denominator, bits);
 }
 
 std::optional<CurveTotal> total_curvature(const Curve& curve) {

@@ -67,17 +67,35 @@ RationalFunction squared_curvature(const Curve& curve) {
   return {rho(a), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
 }
 
+namespace {
+
+[[noreturn]] void refuse_torsion() {
+  throw DomainError("torsion: the curve is a straight line, its torsion is undefined");
+}
+
+}  // namespace
+
 RationalFunction torsion(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const Polynomial squared_bend = rho(a);
-  if (squared_bend.is_zero())
-    throw DomainError("torsion: the curve is a straight line, its torsion is undefined");
+  if (squared_bend.is_zero()) refuse_torsion();
   return {triple_product(curve), pow(curve.multiplier(), 4) * pow(sigma(a), 2) * squared_bend};
 }
 
+// τ = (2hρ − 4 Im(g′ḡ)σ)/(fσ²ρ).
+RationalFunction frenet_rate_by_t(const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  const Polynomial squared_bend = rho(a);
+  if (squared_bend.is_zero()) refuse_torsion();
+  const Polynomial speed = sigma(a);
+  const auto [of_bend, of_speed] = closed_split(a);
+  return {pow(squared_bend, 3) + pow(of_bend * squared_bend + of_speed * speed, 2),
+          curve.multiplier() * pow(speed, 3) * pow(squared_bend, 2)};
+}
+
 RationalFunction squared_frenet_rate(const Curve& curve) {
-  const RationalFunction tau = torsion(curve);
-  return squared_curvature(curve) + tau * tau;
+  return frenet_rate_by_t(curve) *
+         RationalFunction({1}, curve.multiplier() * sigma(curve.preimage()));
 }
 
 // With d = A i A*: r′ = f·d, r′ × r″ = f²·d × d′ and |r′|³ = |f|³σ³, so κ = (d × d′)·n/(|f|σ³). In

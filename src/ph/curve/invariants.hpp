@@ -39,6 +39,8 @@ PHRAME_API RationalFunction torsion(const Curve& curve);
 /// ω² = κ² + τ²: the Frenet frame turns by ω per unit of arc length, a rotation-minimizing frame by
 /// κ [Farouki 2003, (5)]. Throws DomainError for a straight line.
 PHRAME_API RationalFunction squared_frenet_rate(const Curve& curve);
+/// ω²·fσ, the same by t where f > 0. Throws likewise.
+PHRAME_API RationalFunction frenet_rate_by_t(const Curve& curve);
 /// The signed curvature of a plane curve, (r′ × r″)·n/|r′|³ with the unit normal n of its plane
 /// whose last component that is not 0 (z, else y, else x) is positive: in the xy-plane κ > 0 is a
 /// left turn. 0 for a straight line. |f| stands for ±f as on [0, 1]. Throws DomainError where the
