@@ -83,12 +83,13 @@ std::vector<Vector<long>> candidates() {
 double least_sine(const Vector<long>& v, const std::vector<Vector<double>>& tangents) {
   const Vector<double> w{static_cast<double>(v[0]), static_cast<double>(v[1]),
                          static_cast<double>(v[2])};
-  double least = 1;
+  const double size = dot(w, w);
+  double least = size;
   for (const Vector<double>& t : tangents) {
     const Vector<double> c = cross(w, t);
-    least = std::min(least, dot(c, c) / dot(w, w));
+    least = std::min(least, dot(c, c));
   }
-  return least;
+  return least / size;
 }
 
 std::string where(const Interval& at, std::size_t segment) {
@@ -153,7 +154,8 @@ Vector<Rational> up_vector(const Path& path) {
   if (const auto normal = plane_normal(path)) return *normal;
   const auto tangents = sampled_tangents(path);
   std::vector<std::pair<double, Vector<long>>> ordered;
-  for (const Vector<long>& v : candidates()) ordered.emplace_back(-least_sine(v, tangents), v);
+  static const std::vector<Vector<long>> all = candidates();
+  for (const Vector<long>& v : all) ordered.emplace_back(-least_sine(v, tangents), v);
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [size, v] : ordered) {

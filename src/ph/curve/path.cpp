@@ -93,6 +93,18 @@ bool is_corner(const ExactVector& before, const ExactVector& after, FormulaProgr
   return true;
 }
 
+/// Does a rational curve go on where another one ends, in the same direction? So it is at nearly
+/// every joint of a long spline, and fractions tell it faster than a program.
+bool is_seen_smooth(const Segment& before, const Segment& after) {
+  const auto* a = std::get_if<RationalCurve>(&before);
+  const auto* b = std::get_if<RationalCurve>(&after);
+  if (a == nullptr || b == nullptr || point(*a, 1) != point(*b, 0)) return false;
+  const Vector<Rational> old_direction = evaluate(a->direction(), 1);
+  const Vector<Rational> new_direction = evaluate(b->direction(), 0);
+  return cross(old_direction, new_direction) == Vector<Rational>{} &&
+         dot(old_direction, new_direction).sign() == end_orientation(before) * orientation(after);
+}
+
 }  // namespace
 
 Path::Path(Segment first, std::size_t room) : segments_(std::make_shared<Segments>()) {
@@ -124,6 +136,10 @@ void Path::append(Segment next) {
     Continuation found = continuation(*last_ph, *next_ph);
     if (found.is_corner) corners_.push_back(segments().size());
     add(PhSegment(std::move(found.curve)));
+    return;
+  }
+  if (is_seen_smooth(segments().back(), next)) {
+    add(std::move(next));
     return;
   }
   FormulaProgram program;

@@ -20,6 +20,9 @@ Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
 Polynomial integral(const Polynomial& p, const Polynomial& h) {
   return p.is_constant() ? p.coefficient(0) * antiderivative(h) : antiderivative(p * h);
 }
+Rational integral(const Polynomial& p, const Polynomial& h, const Rational& t) {
+  return p.is_constant() ? p.coefficient(0) * antiderivative(h)(t) : antiderivative(p * h)(t);
+}
 
 void refuse_zeros(const Polynomial& weight) {
   const std::vector<Interval> zeros = located_real_roots(weight, closed_interval(0, 1));
@@ -97,7 +100,7 @@ Vector<Rational> point(const RationalCurve& curve, const Rational& t) {
   Vector<Rational> r = evaluate(curve.numerator_, t);
   if (curve.weight_.is_constant()) {
     for (std::size_t k = 0; t != 0 && k < 3; ++k)
-      r[k] += integral(curve.multiplier_, curve.direction_[k])(t);
+      r[k] += integral(curve.multiplier_, curve.direction_[k], t);
     return r;
   }
   const Rational w = curve.weight_(t);
