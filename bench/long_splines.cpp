@@ -123,7 +123,7 @@ BENCHMARK(points_angle)->Arg(1000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(points_angle_doubles)->Arg(1000)->Arg(10'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(points_info)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(ph_spline_info)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
-BENCHMARK(ph_spline_totals)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(ph_spline_totals)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace phrame::bench
