@@ -201,6 +201,17 @@ def ribbon(ax, c, title, ts, view=(30, -60), **options):
     fill(ax, np.concatenate([points + width / 2 * normals, points - width / 2 * normals]), view)
 
 
+def turned(c, theta, ts):
+    """The Euler–Rodrigues frame's e₂ turned by θ about the tangent."""
+    _, e2, e3 = np.moveaxis(c.frames(ts, kind="erf"), 1, 0)
+    return np.cos(theta)[:, None] * e2 + np.sin(theta)[:, None] * e3
+
+
+def minimizing(c, ts):
+    """f₂ of the rotation-minimizing frame that starts as the Euler–Rodrigues frame, as papers have it."""
+    return turned(c, c.angle()(ts), ts)
+
+
 def farouki_frames():
     """Figure 1: the curve with its control polygon, the Frenet and the rotation-minimizing frame."""
     figure, axes = panels(3)
@@ -210,7 +221,7 @@ def farouki_frames():
     axes[0].plot(*corners.T, "o-", markersize=2, linewidth=0.6, color="gray")
     fill(axes[0], corners, (30, -60))
     ribbon(axes[1], FAROUKI, "Frenet", ts, kind="frenet")
-    ribbon(axes[2], FAROUKI, "rotation-minimizing", ts)
+    ribbon(axes[2], FAROUKI, "rotation-minimizing", ts, f2=minimizing(FAROUKI, ts))
     save(figure, "farouki-2003-frames.svg")
 
 
@@ -226,12 +237,6 @@ def farouki_rates():
     ax.set(xlabel="t", ylabel="rate of rotation")
     ax.legend(fontsize=7)
     save(figure, "farouki-2003-rates.svg")
-
-
-def turned(c, theta, ts):
-    """The Euler–Rodrigues frame's e₂ turned by θ about the tangent."""
-    _, e2, e3 = np.moveaxis(c.frames(ts, kind="erf"), 1, 0)
-    return np.cos(theta)[:, None] * e2 + np.sin(theta)[:, None] * e3
 
 
 def moon_frames():
@@ -250,7 +255,7 @@ def peng_frames():
     figure, axes = panels(2)
     ts = np.linspace(0, 1, 49)
     ribbon(axes[0], PENG, "Euler–Rodrigues", ts, kind="erf")
-    ribbon(axes[1], PENG, "rotation-minimizing", ts)
+    ribbon(axes[1], PENG, "rotation-minimizing", ts, f2=minimizing(PENG, ts))
     save(figure, "peng-pang-pan-frames.svg")
 
 
@@ -280,7 +285,7 @@ def septic_frames():
     ts = np.linspace(0, 1, 49)
     view = (-35, 60)  # from where it bends most
     ribbon(axes[0], SEPTIC, "Frenet, rational", ts, view, kind="frenet")
-    ribbon(axes[1], SEPTIC, "rotation-minimizing", ts, view)
+    ribbon(axes[1], SEPTIC, "rotation-minimizing", ts, view, f2=minimizing(SEPTIC, ts))
     save(figure, "double-ph-septic-frames.svg")
 
 
