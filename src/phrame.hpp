@@ -69,6 +69,7 @@
 #include "phrame/ph/frame/frame_quaternion.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/path_certificate.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 // Numbers and rational functions, likewise, errors, and what to call first where memory may not do.

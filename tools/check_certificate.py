@@ -14,7 +14,7 @@ import json
 import re
 import sys
 from fractions import Fraction
-from functools import reduce
+from functools import cached_property, reduce
 from itertools import accumulate, combinations, takewhile
 from math import gcd, isqrt
 from types import SimpleNamespace
@@ -604,27 +604,52 @@ def parsed(data):
         raise Malformed("/: this is no JSON: %s" % str(error)[:200].replace("\n", " "))
 
 
-def read_certificate(data, limits):
-    """All that is in the file."""
+def read_of_curve(value, place, limits):
+    """(C, work): all that is in a certificate/1, and what it takes to check it."""
     TAKEN.volume = TAKEN.zeros = 0
-    value = parsed(data)
     curve = value.get("curve") if isinstance(value, dict) else None
     frenet = isinstance(value, dict) and value.get("frame") == "frenet"
-    K = read(form_of_curve(limits.max_degree + 1), curve, "/curve") if curve is not None else None
+    K = read(form_of_curve(limits.max_degree + 1), curve, place + "/curve") if curve is not None else None
     m, f = (max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1) if K else (0, 0)
     D = 4 * m + 2 * f + 2
-    C = read(form_of_certificate(D + 1, frenet), value, "")
+    C = read(form_of_certificate(D + 1, frenet), value, place)
     C.curve, C.f, C.A = K, getattr(K, "multiplier", Poly([1])), [getattr(K.preimage, key) for key in "uvpq"]
     if not any(C.A):
-        fail("/curve", "a preimage that is not 0 is wanted", curve)
+        fail(place + "/curve", "a preimage that is not 0 is wanted", curve)
     degree = 2 * max(len(a.c) for a in C.A) + len(C.f.c) - 2
     if degree > limits.max_degree:
-        fail("/curve", "the degree is %d, beyond the limit %d (--max-degree)" % (degree, limits.max_degree), curve)
-    total, most = work(C, D), MAX_WORK * max(len(data), FULL_SIZE) ** 2 // FULL_SIZE ** 2
+        fail(place + "/curve", "the degree is %d, beyond the limit %d (--max-degree)" % (degree, limits.max_degree), curve)
+    name_claims(C.claims, value)
+    return C, work(C, D)
+
+
+def name_claims(claims, value):
+    for claim, written in zip(claims, value["claims"]):
+        claim.text = "|theta(%s) - %s| <= %s" % (claim.t, written["theta"], written["radius"])
+
+
+def read_of_path(value, limits):
+    """The same of a path-certificate/1."""
+    P = read({"phrame": one_of("path-certificate/1"), "name": string,
+              "segments": expect(bool, "a segment is wanted", [lambda value, place: value]), "claims": [CLAIM]}, value, "")
+    name_claims(P.claims, value)
+    total = sum(bits_of(c.t, c.theta, c.radius) ** 2 // 1000 + 1000 for c in P.claims)
+    parts = [read_of_curve(part, "/segments/%d" % k, limits) for k, part in enumerate(P.segments)]
+    P.segments, works = zip(*parts)
+    for k, C in enumerate(P.segments):
+        if C.frame != "erf":
+            fail("/segments/%d/frame" % k, '"erf" is wanted', C.frame)
+    return P, total + sum(works)
+
+
+def read_certificate(data, limits):
+    """All that is in the file."""
+    value = parsed(data)
+    is_path = isinstance(value, dict) and value.get("phrame") == "path-certificate/1"
+    C, total = read_of_path(value, limits) if is_path else read_of_curve(value, "", limits)
+    most = MAX_WORK * max(len(data), FULL_SIZE) ** 2 // FULL_SIZE ** 2
     if total > most and not limits.unlimited:
         raise Malformed("/: to check it is work of %d, beyond the limit %d (--unlimited)" % (total, most))
-    for claim, written in zip(C.claims, value["claims"]):
-        claim.text = "|theta(%s) - %s| <= %s" % (claim.t, written["theta"], written["radius"])
     return C
 
 
@@ -649,8 +674,9 @@ def exact_form(hodograph, start):
                    for name, numbers in zip(("dx", "dy", "dz", "start"), lists))
 
 
-def hash_of(hodograph, start):
-    return hashlib.sha256(exact_form(hodograph, start).encode("ascii")).hexdigest()
+def hash_of(curves):
+    """Of r' and r(0) of each curve, one behind the other."""
+    return hashlib.sha256("".join(exact_form(*curve) for curve in curves).encode("ascii")).hexdigest()
 
 
 def from_bernstein(c):
@@ -662,11 +688,20 @@ def from_bernstein(c):
     return over_one_denominator(out)
 
 
-def read_curve(name, limits):
-    """(r', r(0), A or None) of a curve/1 with a preimage or with control points; numbers as these files have
-    them, but for hexadecimal ones."""
-    value = parsed(read_file(name))
+def read_curves(name, limits):
+    """[(r', r(0), A or None)] of a curve/1 with a preimage or with control points, or of a spline/1 of these; numbers
+    as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
+    value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
+    is_spline = isinstance(value, dict) and isinstance(value.get("segments"), list) and value["segments"]
+    for k, part in enumerate(value["segments"] if is_spline else [value]):
+        hodograph, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
+        end = [x + integral_of(a)(1) for x, a in zip(start, hodograph)]
+        curves.append((hodograph, start, A))
+    return curves
 
+
+def read_curve(value, at, limits, end):
+    """At this place of a file; without a start it begins at `end`."""
     def number(x, place):
         text = str(x) if type(x) in (str, int, float) else ""
         if not re.match(r"[-+]?[0-9.]+(/[0-9]+|[eE][-+]?[0-9]{1,4})?\Z", text, re.ASCII):
@@ -677,21 +712,21 @@ def read_curve(name, limits):
         c = read([number], x, place)
         return c if 0 < len(c) <= limits.max_degree + 1 else fail(place, "too many coefficients, or none", x)
     if not isinstance(value, dict) or not ("preimage" in value or "control_points" in value) or "weights" in value:
-        fail("", "a curve/1 with a preimage or control points is wanted (phrame identify --print curve)", value)
+        fail(at, "a curve/1 with a preimage or control points is wanted (phrame identify --print curve)", value)
     if "control_points" in value:
-        points = read([(number,) * 3], value["control_points"], "/control_points")
+        points = read([(number,) * 3], value["control_points"], at + "/control_points")
         n = len(points) - 1
         if not 0 < n <= limits.max_degree:
-            fail("/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), n + 1)
+            fail(at + "/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), n + 1)
         return [from_bernstein([(b - a) * n for a, b in zip(c, c[1:])]) for c in zip(*points)], points[0], None
-    basis = one_of("power", "bernstein")(value.get("basis"), "/basis")
-    preimage = read({key: numbers for key in "uvpq"}, value["preimage"], "/preimage")
-    lists = [getattr(preimage, key) for key in "uvpq"] + [numbers(value.get("multiplier", [1]), "/multiplier")]
+    basis = one_of("power", "bernstein")(value.get("basis"), at + "/basis")
+    preimage = read({key: numbers for key in "uvpq"}, value["preimage"], at + "/preimage")
+    lists = [getattr(preimage, key) for key in "uvpq"] + [numbers(value.get("multiplier", [1]), at + "/multiplier")]
     *A, f = [from_bernstein(c) if basis == "bernstein" else over_one_denominator(c) for c in lists]
     if next((x for x in f.c if x), 0) < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
         u, v, p, q = A
         A, f = [p * -1, q * -1, u, v], f * -1
-    return hodograph_of(f, A), read((number,) * 3, value.get("start", [0, 0, 0]), "/start"), A
+    return hodograph_of(f, A), (read((number,) * 3, value["start"], at + "/start") if "start" in value else end), A
 
 
 # The proof.
@@ -732,11 +767,62 @@ def sturm_sequence(x, y):
     return s
 
 
-class Proof:
+class Statements:
+    """What is stated, and whether it is proved."""
+
+    def __init__(self, claims, prefix=""):
+        self.claims, self.prefix, self.lines, self.proved = claims, prefix, [], set()
+
+    def state(self, what, law, rests=(), *arguments):
+        """One statement: proved, unless something it rests on is not, or the law says why not."""
+        try:
+            self.rest_on(rests)
+            law(*arguments)
+            self.proved.add(what)
+            self.lines.append((True, "proved      " + self.prefix + what))
+        except NotProved as why:
+            self.lines.append((False, "not proved  %s%s: %s" % (self.prefix, what, why)))
+
+    def rest_on(self, names):
+        """The other statements a proof needs."""
+        for name in names:
+            require(name in self.proved, "rests on the %s" % name)
+
+    def table(self, rows):
+        """The rows are t, r, e1, f2, f3 at the t of the claims, in the doubles next to the exact numbers:
+        f2 = cos(theta + phi) e2 + sin(theta + phi) e3, f3 = -sin(theta + phi) e2 + cos(theta + phi) e3."""
+        require(not self.frenet, "the angles are those to the Frenet frame")
+        wanted = len(self.claims)
+        require(len(rows) == wanted, "it has %d rows, and there are %d angles" % (len(rows), wanted))
+        require(next(c for c in self.f.c if c) > 0, "the multiplier is negative at the start")
+        a, b = self.first_normal()
+        for k, (row, claim) in enumerate(zip(rows, self.claims), 1):
+            self.rest_on([claim.text])
+            r, (e1, e2, e3) = self.place(claim.t)
+            C, S, off = (1, 0, 0) if self.is_zero(claim.t) else cos_sin_of(claim)
+            C, S, off = C * a - S * b, S * a + C * b, off * (abs(a) + abs(b))
+            values = [(x, 0) for x in (claim.t, *r, *e1)]
+            values += [(C * x + S * y, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
+            values += [(C * y - S * x, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
+            for name, entry, (x, error) in zip(TABLE, row, values):
+                require_double(entry, x - error, x + error, "row %d, %s" % (k, name))
+
+
+def cos_sin_of(claim):
+    """(C, S, off): those of theta are within off of C and S."""
+    require(claim.radius < 1, "the angle is known to %s only" % claim.radius)
+    P = 128 + min(4096, max(0, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()))
+    n, m, error = cos_sin(claim.theta, P)
+    return Fraction(n, 1 << P), Fraction(m, 1 << P), Fraction(error, 1 << P) + claim.radius
+
+
+class Proof(Statements):
     """All statements of one certificate C, in the order of the page. The letters are those of the page."""
 
-    def __init__(self, C):
-        self.C, self.lines, self.proved, self.fixed, self.sturm = C, [], set(), {}, {}
+    def __init__(self, C, prefix=""):
+        super().__init__(C.claims, prefix)
+        self.C, self.fixed, self.sturm = C, {}, {}
+        self.start = getattr(C.curve, "start", [0, 0, 0])
         self.frenet, self.B, self.f = C.frame == "frenet", C.bits, C.f
         self.sigma, self.h, self.g = invariants_of(C.A)
         self.xyz, self.hodograph = hodograph_of(Poly([1]), C.A), hodograph_of(C.f, C.A)
@@ -753,21 +839,6 @@ class Proof:
             log.n = divmod(log.c * log.q.derivative(), log.q)[1]  # n = c q' mod q
             for z in log.roots:
                 (z.x, z.y), (z.re, z.im), z.r, z.s = z.center, z.residue, z.radius, z.residue_radius
-
-    def state(self, what, law, rests=(), *arguments):
-        """One statement: proved, unless something it rests on is not, or the law says why not."""
-        try:
-            self.rest_on(rests)
-            law(*arguments)
-            self.proved.add(what)
-            self.lines.append((True, "proved      " + what))
-        except NotProved as why:
-            self.lines.append((False, "not proved  %s: %s" % (what, why)))
-
-    def rest_on(self, names):
-        """The other statements a proof needs."""
-        for name in names:
-            require(name in self.proved, "rests on the %s" % name)
 
     def run(self):
         """All statements: a list of (is proved, line)."""
@@ -789,14 +860,19 @@ class Proof:
             self.state("decision %s: %s" % (name, answer), getattr(self, name), (), decision)
         return self.lines
 
-    def is_of(self, hodograph, start, A):
+    def curves(self):
+        return [(self.hodograph, self.start)]
+
+    def is_of(self, curves):
         """The curve is that of a file. Euler-Rodrigues frames are the same but for a constant turn if h/sigma is."""
-        own = getattr(self.C.curve, "start", [0, 0, 0])
-        require(hodograph == self.hodograph and start == own,
-                "that one has sha256 %s" % hash_of(hodograph, start))
-        if A and not self.frenet:
-            sigma, h, _ = invariants_of(A)
-            require(h * self.sigma == self.h * sigma, "its preimage, and so its Euler-Rodrigues frame, is another one")
+        require_same(self.curves(), curves)
+        if curves[0][2] and not self.frenet:
+            require(self.has_rate(curves[0][2]) > 0, "its preimage, and so its Euler-Rodrigues frame, is another one")
+
+    def has_rate(self, A):
+        """Is h/sigma that of A (1), or the opposite (-1)?"""
+        sigma, h, _ = invariants_of(A)
+        return 1 if h * self.sigma == self.h * sigma else -1 if h * self.sigma == self.h * sigma * -1 else 0
 
     def invariants(self):
         """What is written is what follows from the curve. All else uses what is computed."""
@@ -944,35 +1020,16 @@ class Proof:
         f2 = -b, a + c * c / (1 + a), -b * c / (1 + a)
         return tuple(sum(x * y for x, y in zip(f2, e)) for e in (e2, e3))
 
-    def cos_sin(self, claim):
-        """(C, S, off): those of theta are within off of C and S."""
-        if claim.t == 0 or not self.N:
-            return 1, 0, 0
-        require(claim.radius < 1, "the angle is known to %s only" % claim.radius)
-        P = 128 + min(4096, max(0, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()))
-        n, m, error = cos_sin(claim.theta, P)
-        return Fraction(n, 1 << P), Fraction(m, 1 << P), Fraction(error, 1 << P) + claim.radius
+    def place(self, t):
+        """r and (e1, e2, e3) at t."""
+        return [x + a(t) for x, a in zip(self.start, self.integrals)], self.axes(t)
 
-    def table(self, rows):
-        """The rows are t, r, e1, f2, f3 at the t of the claims, in the doubles next to the exact numbers:
-        f2 = cos(theta + phi) e2 + sin(theta + phi) e3, f3 = -sin(theta + phi) e2 + cos(theta + phi) e3."""
-        require(not self.frenet, "the angles are those to the Frenet frame")
-        rows_wanted = len(self.C.claims)
-        require(len(rows) == rows_wanted, "it has %d rows, and there are %d angles" % (len(rows), rows_wanted))
-        require(next(c for c in self.f.c if c) > 0, "the multiplier is negative at the start")
-        a, b = self.first_normal()
-        start = getattr(self.C.curve, "start", [0, 0, 0])
-        paths = [integral_of(a) for a in self.hodograph]
-        for k, (row, claim) in enumerate(zip(rows, self.C.claims), 1):
-            self.rest_on([claim.text])
-            e1, e2, e3 = self.axes(claim.t)
-            C, S, off = self.cos_sin(claim)
-            C, S, off = C * a - S * b, S * a + C * b, off * (abs(a) + abs(b))
-            values = [(x, 0) for x in (claim.t, *(x + p(claim.t) for x, p in zip(start, paths)), *e1)]
-            values += [(C * x + S * y, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
-            values += [(C * y - S * x, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
-            for name, entry, (x, error) in zip(TABLE, row, values):
-                require_double(entry, x - error, x + error, "row %d, %s" % (k, name))
+    @cached_property
+    def integrals(self):
+        return [integral_of(a) for a in self.hodograph]
+
+    def is_zero(self, t):
+        return t == 0 or not self.N
 
     # The decisions: x, y, z stand for A i A*, and each law is that of the page's table.
 
@@ -1063,6 +1120,100 @@ class Proof:
         check_points(P.over(common(e, e.derivative())), decision.extrema, "extrema", odd_only=True)
 
 
+def require_same(own, curves):
+    """Both have the same r' and r(0)."""
+    others = [curve[:2] for curve in curves]
+    require([(list(h), list(s)) for h, s in own] == [(list(h), list(s)) for h, s in others],
+            "that one has sha256 %s" % hash_of(others))
+
+
+class PathProof(Statements):
+    """All statements of the certificate P of a path: those of its segments, its joints, and sums of angles."""
+
+    frenet = False
+
+    def __init__(self, P):
+        super().__init__(P.claims)
+        self.C = P
+        self.parts = [Proof(C, "segment %d: " % k) for k, C in enumerate(P.segments)]
+        self.f, self.first_normal = self.parts[0].f, self.parts[0].first_normal
+
+    def curves(self):
+        return [curve for part in self.parts for curve in part.curves()]
+
+    def is_of(self, curves):
+        """Behind a joint, where the frame goes on, it does not matter which way a preimage is turned over."""
+        require_same(self.curves(), curves)
+        found = [part.has_rate(A) if A else 1 for part, (_, _, A) in zip(self.parts, curves)]
+        require(all(found) and found[0] > 0, "its preimage, and so its Euler-Rodrigues frame, is another one")
+
+    def run(self):
+        """All statements: a list of (is proved, line)."""
+        for part in self.parts:
+            self.lines += part.run()
+            part.has_angles = all(claim.text in part.proved for claim in part.claims)
+        for k in range(1, len(self.parts)):
+            self.state("joint %d" % k, self.joint, (), *self.parts[k - 1:k + 1])
+        self.sums = self.sums_to_joints()
+        for claim in self.claims:
+            self.state(claim.text, self.claim, (), claim)
+        return self.lines
+
+    def joint(self, before, after):
+        """r goes on, and the preimages without their zeros are there the same but for a real factor."""
+        end, _ = before.place(Fraction(1))
+        require(end == list(after.start), "the segment does not begin where the one before ends")
+        x, y = ([a.over(part.K0)(t) for a in part.C.A] for part, t in ((before, 1), (after, 0)))
+        is_along = all(a * d == b * c for (a, c), (b, d) in combinations(zip(x, y), 2))
+        require(is_along, "the Euler-Rodrigues frame does not go on")
+
+    def is_joined(self, k):
+        return all("joint %d" % j in self.proved for j in range(1, k + 1))
+
+    def sums_to_joints(self):
+        """(theta, radius) at 0, 1, ... up to where the segments claim them."""
+        sums = [(0, 0)]
+        for part in self.parts[:-1]:
+            whole = next((claim for claim in part.claims if claim.t == 1), None)
+            if whole is None:
+                break
+            sums.append((sums[-1][0] + whole.theta, sums[-1][1] + whole.radius))
+        return sums
+
+    def at(self, t):
+        """The number of the segment, and t there."""
+        k = min(len(self.parts) - 1, t.numerator // t.denominator)
+        return k, t - k
+
+    def claim(self, claim):
+        """theta(t) is the sum of those of the segments up to there, its radius at least that of theirs."""
+        require(0 <= claim.t <= len(self.parts), "t is not on the path")
+        k, t = self.at(claim.t)
+        require(self.is_joined(k), "rests on the joints")
+        for j, part in enumerate(self.parts[:k + (t != 0)]):
+            require(part.has_angles, "rests on the angles of segment %d" % j)
+        last = next((c for c in self.parts[k].claims if c.t == t), None) if t else SimpleNamespace(theta=0, radius=0)
+        require(last and k < len(self.sums), "the segments do not claim the angles that it is the sum of")
+        theta, radius = self.sums[k]
+        is_known = abs(theta + last.theta - claim.theta) + radius + last.radius <= claim.radius
+        require(is_known, "it does not follow from the angles of the segments")
+
+    def place(self, t):
+        k, t = self.at(t)
+        return self.parts[k].place(Fraction(t))
+
+    def is_zero(self, t):
+        return t <= next((k for k, part in enumerate(self.parts) if part.N), len(self.parts))
+
+    def table(self, rows):
+        require(self.is_joined(len(self.parts) - 1), "rests on the joints")
+        super().table(rows)
+
+
+def proof_of(C):
+    return PathProof(C) if hasattr(C, "segments") else Proof(C)
+
+
 def read_file(name):
     try:
         with open(0 if name == "-" else name, "rb", closefd=name != "-") as file:
@@ -1094,10 +1245,10 @@ def check(name, options):
     """Checks one file and prints what is proved; returns the exit status."""
     at = name
     try:
-        proof = Proof(read_certificate(read_file(name), options))
+        proof = proof_of(read_certificate(read_file(name), options))
         if options.curve:
             at = options.curve
-            proof.state("curve of " + at, proof.is_of, (), *read_curve(at, options))
+            proof.state("curve of " + at, proof.is_of, (), read_curves(at, options))
         if options.table:
             at = options.table
             rows = read_table(at)
@@ -1110,11 +1261,11 @@ def check(name, options):
     if len(options.files) > 1:
         print("%s:" % name)
     if not options.quiet:
-        curve = proof.C.curve
-        name = "".join(c if c.isprintable() else "?" for c in getattr(curve, "name", ""))  # no line of its own
+        named = getattr(proof.C, "curve", proof.C)
+        name = "".join(c if c.isprintable() else "?" for c in getattr(named, "name", ""))  # no line of its own
         print("curve       %s" % (name or "without a name"))
-        print("sha256      %s" % hash_of(proof.hodograph, getattr(curve, "start", [0, 0, 0])))
-        print("frame       %s" % proof.C.frame)
+        print("sha256      %s" % hash_of(proof.curves()))
+        print("frame       %s" % getattr(proof.C, "frame", "erf"))
     for is_proved, line in lines:
         if not (options.quiet and is_proved):
             print(line)
@@ -1130,7 +1281,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1 with a preimage or control points")
+                        help="the curve it must be of: a curve/1 with a preimage or control points, or a spline/1")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

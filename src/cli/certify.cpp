@@ -1,6 +1,7 @@
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/certificate.hpp"
+#include "phrame/ph/proof/path_certificate.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -14,11 +15,18 @@ struct CertifyOptions {
 
 void run(const CertifyOptions& options) {
   const auto reference = chosen_reference(options.frame);
-  auto [named, at] = options.curve.read_curve_at(options.parameters);
-  if (at.empty()) at.emplace_back(1);
+  auto [named, at] = options.curve.read_path_at(options.parameters);
+  const PhPath& path = named.path;
+  if (at.empty()) at.push_back(path.end());
+  if (path.is_curve()) {
+    write_output(options.curve.output,
+                 write_certificate(certify(path.segments().front(), reference, at, options.digits),
+                                   named.name, named.near));
+    return;
+  }
+  if (reference == Reference::frenet) fail_for_spline("--frame", options.frame);
   write_output(options.curve.output,
-               write_certificate(certify(named.curve, reference, at, options.digits), named.name,
-                                 named.near));
+               write_certificate(certify(path, at, options.digits), named.name));
 }
 
 }  // namespace
@@ -33,9 +41,10 @@ void add_certify(Program& program) {
   add_reference(command, options->frame,
                 "what the angle is measured from: erf (default) or frenet");
   command.set_notes(
-      "Without --at and --samples the angle at t = 1. phrame verify checks the certificate, and "
+      "Without --at and --samples the angle at the end. phrame verify checks the certificate, and "
       "so\n"
-      "does tools/check_certificate.py, which needs Python and nothing else.\n"
+      "does tools/check_certificate.py, which needs Python and nothing else. That of a spline is\n"
+      "made of those of its segments; it has no corners.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -");

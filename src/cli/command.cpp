@@ -229,10 +229,18 @@ NamedCurve CurveOptions::one_curve(const NamedPhPath& named) const {
 
 std::pair<NamedCurve, std::vector<Rational>> CurveOptions::read_curve_at(
     const Parameters& asked) const {
+  auto [named, at] = read_path_at(asked);
+  return {one_curve(named), std::move(at)};
+}
+
+std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
+    const Parameters& asked) const {
   std::vector<Rational> at = asked.given();
   if (asked.kind() == ParameterKind::t) {
-    for (long k = 0; k < asked.samples; ++k) at.emplace_back(k, asked.samples - 1);
-    return {read_curve(), std::move(at)};
+    NamedPhPath named = read_path();
+    for (long k = 0; k < asked.samples; ++k)
+      at.push_back(named.path.end() * Rational(k, asked.samples - 1));
+    return {std::move(named), std::move(at)};
   }
   const NamedPath named = read_any_path();
   const Parametrization along = asked.on(named);
@@ -244,7 +252,7 @@ std::pair<NamedCurve, std::vector<Rational>> CurveOptions::read_curve_at(
                                            approximate(point.value.enclose(64))));
     ts.push_back(*t.exact());
   }
-  return {one_curve(at_place(path, ":", [&] { return ph_path_of(named); })), std::move(ts)};
+  return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(ts)};
 }
 
 NamedPhPath CurveOptions::read_path() const {

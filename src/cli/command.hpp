@@ -52,6 +52,8 @@ struct CurveOptions {
   NamedCurve read_curve() const;
   /// With the t that are asked for. Throws InputError for one that is no fraction.
   std::pair<NamedCurve, std::vector<Rational>> read_curve_at(const struct Parameters& asked) const;
+  /// The same, a path, too.
+  std::pair<NamedPhPath, std::vector<Rational>> read_path_at(const struct Parameters& asked) const;
   NamedPhPath read_path() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
   /// line on stderr says what --near gives closed forms. Another one tells of corners that are no

@@ -14,6 +14,7 @@
 #include "phrame/io/write/sha256.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/proof/check_table.hpp"
+#include "phrame/ph/proof/path_certificate.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::inline v0::cli {
@@ -29,18 +30,38 @@ struct VerifyOptions {
   TextLength length;
 };
 
-/// That the certificate is of the curve in a file. Euler–Rodrigues frames are the same but for a
+/// The curves of a certificate, one behind the other.
+std::vector<Curve> curves_of(const Certificate& c) { return {c.curve}; }
+std::vector<Curve> curves_of(const PathCertificate& c) {
+  std::vector<Curve> curves;
+  for (const Certificate& segment : c.segments) curves.push_back(segment.curve);
+  return curves;
+}
+
+std::string exact_form_of(const std::vector<Curve>& curves) {
+  std::string text;
+  for (const Curve& curve : curves) text += exact_form(curve);
+  return text;
+}
+
+Reference reference_of(const Certificate& c) { return c.reference; }
+Reference reference_of(const PathCertificate&) { return Reference::euler_rodrigues; }
+
+/// That the certificate is of the curves in a file. Euler–Rodrigues frames are the same but for a
 /// constant turn where h/σ is.
-Statement check_curve(const Certificate& c, const std::string& path, const CurveLimits& limits) {
+Statement check_curves(const std::vector<Curve>& own, Reference reference, const std::string& path,
+                       const CurveLimits& limits) {
   CurveOptions file;
   file.path = path;
   file.limits = limits;
-  const Curve other = file.read_curve().curve;
+  const std::vector<Curve> other = file.read_path().path.segments();
   std::string objection;
-  if (exact_form(other) != exact_form(c.curve))
-    objection = "that one has sha256 " + sha256(exact_form(other));
-  else if (c.reference == Reference::euler_rodrigues &&
-           !(rate_to_erf(other.preimage()) == rate_to_erf(c.curve.preimage())))
+  if (exact_form_of(other) != exact_form_of(own))
+    objection = "that one has sha256 " + sha256(exact_form_of(other));
+  else if (reference == Reference::euler_rodrigues &&
+           !std::ranges::equal(other, own, [](const Curve& a, const Curve& b) {
+             return rate_to_erf(a.preimage()) == rate_to_erf(b.preimage());
+           }))
     objection = "its preimage, and so its Euler-Rodrigues frame, is another one";
   return {"curve of " + path, objection};
 }
@@ -68,14 +89,15 @@ std::vector<std::vector<Rational>> read_table(const std::string& text) {
   return rows;
 }
 
-void run(const VerifyOptions& options) {
-  CertificateLimits limits = options.limits;
-  limits.is_limited = !options.is_unlimited;
-  const std::string text = read_file(options.path);
-  const auto [name, certificate] =
-      at_place(name_of_file(options.path), ":", [&] { return read_certificate(text, limits); });
+/// Of a curve or a path.
+template <class Named>
+void check(const Named& named, const CertificateLimits& limits, const VerifyOptions& options) {
+  const auto& [name, certificate] = named;
+  const std::vector<Curve> curves = curves_of(certificate);
+  const Reference reference = reference_of(certificate);
   std::vector<Statement> statements;
-  if (options.curve) statements.push_back(check_curve(certificate, *options.curve, limits.curve));
+  if (options.curve)
+    statements.push_back(check_curves(curves, reference, *options.curve, limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
   if (options.table) {
     const std::string rows = read_file(*options.table);
@@ -86,14 +108,22 @@ void run(const VerifyOptions& options) {
   }
   constexpr std::size_t longest_name = 200;
   options.length.write(
-      options.output,
-      fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
-                  name.empty() ? "without a name" : abbreviated(name, longest_name),
-                  sha256(exact_form(certificate.curve)), name_of(certificate.reference)) +
-          to_text(statements));
+      options.output, fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
+                                  name.empty() ? "without a name" : abbreviated(name, longest_name),
+                                  sha256(exact_form_of(curves)), name_of(reference)) +
+                          to_text(statements));
   if (!std::all_of(statements.begin(), statements.end(),
                    [](const Statement& statement) { return statement.is_proved(); }))
     throw AnswerNo{};
+}
+
+void run(const VerifyOptions& options) {
+  CertificateLimits limits = options.limits;
+  limits.is_limited = !options.is_unlimited;
+  const std::string text = read_file(options.path);
+  const auto found =
+      at_place(name_of_file(options.path), ":", [&] { return read_any_certificate(text, limits); });
+  std::visit([&](const auto& named) { check(named, limits, options); }, found);
 }
 
 }  // namespace
@@ -102,7 +132,7 @@ void add_verify(Program& program) {
   Command& command = program.add("verify", "check a certificate");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
-  command.add_option("--curve", "FILE", options->curve, "the curve that it must be of");
+  command.add_option("--curve", "FILE", options->curve, "the curve or path that it must be of");
   command.add_option("--table", "FILE", options->table,
                      "frames, as phrame frames writes them, at the t of the certificate: is each\n"
                      "number the double next to the exact one?");

@@ -36,7 +36,7 @@ def phrame(*arguments, may_fail=False):
 def verdicts(certificate, table, text):
     """Of the table, by each checker: None where it is proved, or why not."""
     table.write_text(text)
-    proof = checker.Proof(checker.read_certificate(certificate.read_bytes(), LIMITS))
+    proof = checker.proof_of(checker.read_certificate(certificate.read_bytes(), LIMITS))
     proof.run()
     proof.state("table", proof.table, (), checker.read_table(str(table)))
     mine = None if proof.lines[-1][0] else proof.lines[-1][1].split(": ", 1)[1]

@@ -84,7 +84,11 @@ TEST_CASE("certify and verify: bad input is refused with its place") {
   check_failure(here.run("certify line.json --frame frenet"), 3, "straight line");
   check_failure(here.run("certify quintic.json --frame mtf"), 2, "--frame: \"mtf\" is not one of");
   here.write("spline.json", R"({"phrame": "spline/1", "segments": []})");
-  check_failure(here.run("certify spline.json"), 2, "spline.json:/phrame: this is a spline");
+  check_failure(here.run("certify spline.json"), 2, "spline.json:/segments: a spline has at least");
+  here.write("closed.json", bytes_of(root("/examples/curves/closed-spline.json")));
+  check_failure(here.run("certify closed.json --frame frenet"), 2,
+                "--frame: \"frenet\" is for single");
+  check_failure(here.run("certify closed.json --at 9"), 3, "t = 9 is outside [0, 4]");
   check_failure(here.run("verify quintic.json"), 2,
                 "quintic.json:/phrame: the format is \"certificate/1\", not \"curve/1\"");
   check_failure(here.run("verify nowhere.cert"), 2, "nowhere.cert: ");

@@ -131,6 +131,7 @@ def check_command_line(folder):
         ask("sweep", curve, "--profile", "polygon:3,1/9", "--exact", "--format", "json")
         for frame in ("erf", "frenet"):
             ask("certify", curve, "--frame", frame)
+    ask("certify", ROOT / "examples/curves/closed-spline.json", "--at", "1/2,3")
     for name, text in (("corner", CORNER), ("plane", PLANE), ("turn", TURN), ("there", THERE_AND_BACK)):
         curve = here / f"{name}.offset"
         curve.write_text(text)

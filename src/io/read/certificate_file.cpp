@@ -369,12 +369,9 @@ Reference read_frame(const JsonNode& node) {
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
-}  // namespace
-
-NamedCertificate read_certificate(std::string_view text, const CertificateLimits& limits) {
-  const JsonValue document = parse_json_file(text, "certificate");
-  const JsonNode node(document);
-  node.require(Kind::object, "an object");
+/// Adds to `work` what it takes to check it.
+NamedCertificate read_of_curve(const JsonNode& node, const CertificateLimits& limits,
+                               Integer& work) {
   if (const JsonNode format = node.at("phrame"); format.string() != "certificate/1")
     format.fail(
         fmt::format("the format is \"certificate/1\", not \"{}\"", abbreviated(format.string())));
@@ -420,13 +417,73 @@ NamedCertificate read_certificate(std::string_view text, const CertificateLimits
     bend.require_known_keys({"polynomial", "content"});
     c.bend = {read.gaussian(bend.at("polynomial")), polynomial(bend.at("content"))};
   }
+  work += read.work(is_frenet);
+  return {read.name(), std::move(c)};
+}
+
+/// A claim about a path; the sum of it takes its part of `work`.
+AngleClaim read_path_claim(const JsonNode& node, Integer& work) {
+  node.require_known_keys({"t", "theta", "radius"});
+  AngleClaim claim = read_claim(node);
+  const JsonNode t = node.at("t");
+  if (!is_exact(t.string()))
+    t.fail(fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(t.text())));
+  claim.t = t.number();
+  const auto size = [](const Rational& x) {
+    return bit_length(numerator(x)) + bit_length(denominator(x));
+  };
+  const Integer bits =
+      size(claim.t) + size(parse_rational(claim.theta)) + size(parse_rational(claim.radius));
+  work += bits * bits / 1000 + 1000;
+  return claim;
+}
+
+NamedPathCertificate read_of_path(const JsonNode& node, const CertificateLimits& limits,
+                                  Integer& work) {
+  node.require_known_keys({"phrame", "name", "segments", "claims"});
+  NamedPathCertificate found;
+  if (const auto name = node.find("name")) found.name = name->string();
+  const JsonNode list = node.at("segments");
+  list.require(Kind::array, "an array");
+  if (list.size() == 0) list.fail("a path has at least one segment");
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const JsonNode item = list.item(k);
+    item.require(Kind::object, "an object");
+    Certificate segment = read_of_curve(item, limits, work).certificate;
+    if (segment.reference != Reference::euler_rodrigues)
+      item.at("frame").fail("the frame of segments is \"erf\"");
+    found.certificate.segments.push_back(std::move(segment));
+  }
+  found.certificate.claims = read_list(
+      node.at("claims"), [&](const JsonNode& item) { return read_path_claim(item, work); });
+  return found;
+}
+
+}  // namespace
+
+std::variant<NamedCertificate, NamedPathCertificate> read_any_certificate(
+    std::string_view text, const CertificateLimits& limits) {
+  const JsonValue document = parse_json_file(text, "certificate");
+  const JsonNode node(document);
+  node.require(Kind::object, "an object");
+  Integer work = 0;
+  using Found = std::variant<NamedCertificate, NamedPathCertificate>;
+  const bool is_path = node.at("phrame").string() == "path-certificate/1";
+  Found found =
+      is_path ? Found(read_of_path(node, limits, work)) : Found(read_of_curve(node, limits, work));
   const Integer size = static_cast<long>(std::max(text.size(), full_size));
   const Integer full = static_cast<long>(full_size);
   const Integer most = Integer(most_work) * size * size / (full * full);
-  if (const Integer work = read.work(is_frenet); limits.is_limited && work > most)
+  if (limits.is_limited && work > most)
     node.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
                           work.str(), most.str()));
-  return {read.name(), std::move(c)};
+  return found;
+}
+
+NamedCertificate read_certificate(std::string_view text, const CertificateLimits& limits) {
+  auto found = read_any_certificate(text, limits);
+  if (auto* of_curve = std::get_if<NamedCertificate>(&found)) return std::move(*of_curve);
+  throw InputError("/phrame", "this is a certificate of a path; one of a curve is wanted");
 }
 
 }  // namespace phrame

@@ -1,4 +1,6 @@
 #pragma once
+#include <variant>
+
 #include "phrame/export.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/proof/certificate.hpp"
@@ -17,7 +19,17 @@ struct NamedCertificate {
   Certificate certificate;  ///< true or not
 };
 
-/// Reads a certificate/1 file (docs/certificate.md), true or not. Throws InputError as read_curve.
+/// That of a path.
+struct NamedPathCertificate {
+  std::string name;             ///< of the path; may be empty
+  PathCertificate certificate;  ///< true or not
+};
+
+/// Reads a certificate/1 or path-certificate/1 file (docs/certificate.md), true or not. Throws
+/// InputError as read_curve.
+PHRAME_API std::variant<NamedCertificate, NamedPathCertificate> read_any_certificate(
+    std::string_view text, const CertificateLimits& limits = {});
+/// The same of a curve, a certificate/1.
 PHRAME_API NamedCertificate read_certificate(std::string_view text,
                                              const CertificateLimits& limits = {});
 

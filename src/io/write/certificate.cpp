@@ -68,10 +68,8 @@ JsonOutput json_of(const StatedDecisions& d) {
   return json;
 }
 
-}  // namespace
-
-std::string write_certificate(const Certificate& c, const std::string& name,
-                              const std::optional<Nearness>& near) {
+JsonOutput json_of(const Certificate& c, const std::string& name,
+                   const std::optional<Nearness>& near) {
   const auto logs = [](const CertifiedLogs& sum) -> JsonOutput {
     return {{"index", json_of(sum.index)},
             {"residue", json_of(sum.residue)},
@@ -98,6 +96,23 @@ std::string write_certificate(const Certificate& c, const std::string& name,
                     {"content", json_of(c.bend->content)}};
   json["claims"] = array_of(c.claims, [](const AngleClaim& claim) { return json_of(claim); });
   json["decisions"] = json_of(c.decisions);
+  return json;
+}
+
+}  // namespace
+
+std::string write_certificate(const Certificate& certificate, const std::string& name,
+                              const std::optional<Nearness>& near) {
+  return pretty(json_of(certificate, name, near));
+}
+
+std::string write_certificate(const PathCertificate& certificate, const std::string& name) {
+  JsonOutput json = {{"phrame", "path-certificate/1"}};
+  if (!name.empty()) json["name"] = name;
+  json["segments"] = array_of(certificate.segments,
+                              [](const Certificate& c) { return json_of(c, "", std::nullopt); });
+  json["claims"] =
+      array_of(certificate.claims, [](const AngleClaim& claim) { return json_of(claim); });
   return pretty(json);
 }
 

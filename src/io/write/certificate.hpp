@@ -11,5 +11,8 @@ namespace phrame::inline v0 {
 /// is told in a note where the curve stands for another.
 PHRAME_API std::string write_certificate(const Certificate& certificate, const std::string& name,
                                          const std::optional<Nearness>& near = {});
+/// A path-certificate/1 file.
+PHRAME_API std::string write_certificate(const PathCertificate& certificate,
+                                         const std::string& name);
 
 }  // namespace phrame

@@ -23,8 +23,9 @@ struct Name {
 
 std::string to_text(const std::vector<Statement>& statements) {
   std::string text;
-  for (const auto& [what, objection] : statements) {
-    const std::string name = std::visit(Name{}, what);
+  for (const auto& [what, objection, segment] : statements) {
+    std::string name = std::visit(Name{}, what);
+    if (segment) name = fmt::format("segment {}: {}", *segment, name);
     text += objection.empty() ? fmt::format("proved      {}\n", name)
                               : fmt::format("not proved  {}: {}\n", name, objection);
   }

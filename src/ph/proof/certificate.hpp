@@ -51,4 +51,13 @@ struct Certificate {
   friend bool operator==(const Certificate&, const Certificate&) = default;
 };
 
+/// Claims about the rotation-minimizing frame along several PH curves, one behind the other: θ to
+/// the Euler–Rodrigues frame is the sum of those of the segments. What proves them are the
+/// certificates of these, with the angles that the sums need (docs/certificate.md).
+struct PathCertificate {
+  std::vector<Certificate> segments;  ///< at least one, each to the Euler–Rodrigues frame
+  std::vector<AngleClaim> claims;     ///< of t from 0 to the number of segments
+  friend bool operator==(const PathCertificate&, const PathCertificate&) = default;
+};
+
 }  // namespace phrame

@@ -5,10 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/proof/path_certificate.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -32,21 +36,26 @@ const std::vector<std::string>& certified_columns() {
   return names;
 }
 
-std::string objection_to_table(const Certificate& c,
-                               const std::vector<std::vector<Rational>>& rows) {
-  if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
-  if (rows.size() != c.claims.size())
-    return fmt::format("it has {} rows, and there are {} angles", rows.size(), c.claims.size());
-  if (sign_after_zero(c.curve.multiplier()) < 0) return "the multiplier is negative at the start";
-  const Path path(c.curve);
+namespace {
+
+/// Rows at the t of the claims about a path; where the angle is 0 they follow without it.
+std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& claims,
+                              const std::function<bool(const Rational& t)>& is_zero,
+                              const std::vector<std::vector<Rational>>& rows) {
+  if (rows.size() != claims.size())
+    return fmt::format("it has {} rows, and there are {} angles", rows.size(), claims.size());
+  if (sign_after_zero(ph_curve(path.segments().front())->multiplier()) < 0)
+    return "the multiplier is negative at the start";
   const PathAngle angle(path);
   const Vector<Real> first = tangent(path, {0, Rational(0)});
   if (first[0].exact() == Rational(-1)) return "the tangent at the start is -x";
   const StartAngle start = start_angle(LeastRotation(), angle);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const AngleClaim& claim = c.claims[k];
-    const Place at{0, claim.t};
-    const bool is_exact = claim.t == 0 || c.rate.numerator.is_zero();
+    const AngleClaim& claim = claims[k];
+    if (!goes_on(path) && (claim.t < 0 || claim.t > path.end())) return "a t is not on the path";
+    const PathParameter place = locate(path, claim.t);
+    const Place at{place.segment, place.t};
+    const bool is_exact = is_zero(claim.t);
     if (!is_exact && parse_rational(claim.radius) >= 1)
       return fmt::format("the angle is known to {} only", claim.radius);
     const Rational slack =
@@ -66,6 +75,26 @@ std::string objection_to_table(const Certificate& c,
     }
   }
   return "";
+}
+
+}  // namespace
+
+std::string objection_to_table(const Certificate& c,
+                               const std::vector<std::vector<Rational>>& rows) {
+  if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
+  const auto is_zero = [&](const Rational& t) { return t == 0 || c.rate.numerator.is_zero(); };
+  return objection_to_rows(Path(c.curve), c.claims, is_zero, rows);
+}
+
+std::string objection_to_table(const PathCertificate& c,
+                               const std::vector<std::vector<Rational>>& rows) {
+  const auto path = path_of(c);
+  if (const auto* objection = std::get_if<std::string>(&path)) return *objection;
+  const auto turning = std::ranges::find_if(
+      c.segments, [](const Certificate& segment) { return !segment.rate.numerator.is_zero(); });
+  const auto is_zero = [zero_to = Rational(static_cast<long>(turning - c.segments.begin()))](
+                           const Rational& t) { return t <= zero_to; };
+  return objection_to_rows(std::get<Path>(path), c.claims, is_zero, rows);
 }
 
 }  // namespace phrame

@@ -15,5 +15,8 @@ const std::vector<std::string>& certified_columns();
 /// here they are computed anew, and allowed 3 times the radius. Each row has a number a column.
 std::string objection_to_table(const Certificate& c,
                                const std::vector<std::vector<Rational>>& rows);
+/// The same of a path.
+std::string objection_to_table(const PathCertificate& c,
+                               const std::vector<std::vector<Rational>>& rows);
 
 }  // namespace phrame

@@ -20,7 +20,8 @@ struct AngleClaim {
 struct Statement {
   /// An angle, or what the certificate calls the part that states it: "rate", "decision helical".
   std::variant<std::string, AngleClaim> what;
-  std::string objection;  ///< why it is not proved; empty for a proved one
+  std::string objection;                    ///< why it is not proved; empty for a proved one
+  std::optional<std::size_t> segment = {};  ///< of a path, where it is of one
   bool is_proved() const { return objection.empty(); }  ///< has it no objection?
 };
 

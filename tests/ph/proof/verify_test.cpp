@@ -19,7 +19,7 @@ namespace {
 
 std::vector<std::string> not_proved(const Certificate& c) {
   std::vector<std::string> list;
-  for (const auto& [what, objection] : verify(c)) {
+  for (const auto& [what, objection, segment] : verify(c)) {
     const auto* part = std::get_if<std::string>(&what);
     if (!objection.empty()) list.push_back((part != nullptr ? *part : "theta") + ": " + objection);
   }

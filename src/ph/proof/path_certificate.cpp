@@ -1,0 +1,203 @@
+// The Euler–Rodrigues frame goes on at a joint where the preimages there, without their zeros, are
+// the same but for a real factor. So θ(t) is the sum of the θ(1) of the segments before t and of θ
+// of that one, and its error at most the sum of theirs.
+#include "phrame/ph/proof/path_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/verify.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+/// A number and what it may be off.
+struct ClaimedSum {
+  Rational value = 0;
+  Rational radius = 0;
+
+  void add(const AngleClaim& claim) {
+    value += parse_rational(claim.theta);
+    radius += parse_rational(claim.radius);
+  }
+};
+
+/// The first claim about t; null where there is none.
+const AngleClaim* claim_at(const Certificate& c, const Rational& t) {
+  const auto found = std::ranges::find(c.claims, t, &AngleClaim::t);
+  return found == c.claims.end() ? nullptr : &*found;
+}
+
+/// The number of the segment, the later one at a joint.
+PathParameter place_on(std::size_t count, const Rational& t) {
+  const auto last = static_cast<long>(count) - 1;
+  const long k = std::min(last, static_cast<long>(floor(t)));
+  return {static_cast<std::size_t>(k), t - k};
+}
+
+/// Are a and b, not 0, the same but for a real factor?
+bool are_parallel(const RationalQuaternion& a, const RationalQuaternion& b) {
+  const std::array<Rational, 4> x{a.u, a.v, a.p, a.q};
+  const std::array<Rational, 4> y{b.u, b.v, b.p, b.q};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (x[i] * y[j] != x[j] * y[i]) return false;
+  return true;
+}
+
+std::string objection_to_joint(const Curve& before, const Curve& after) {
+  if (evaluate(position(before), Rational(1)) != after.start())
+    return "the segment does not begin where the one before ends";
+  if (!are_parallel(evaluate(without_real_content(before.preimage()), 1),
+                    evaluate(without_real_content(after.preimage()), 0)))
+    return "the Euler-Rodrigues frame does not go on";
+  return "";
+}
+
+/// Half a unit in the last place of a decimal with so many digits.
+Rational half_unit_of(const Rational& value, long digits) {
+  return 5 * power_of_ten((value == 0 ? -1 : decimal_exponent(abs(value))) - digits);
+}
+
+/// Sums of what the segments claim, from the start to each joint, and what they lack.
+class SegmentSums {
+ public:
+  explicit SegmentSums(const std::vector<Certificate>& segments)
+      : segments_(segments), to_joint_(segments.size()) {
+    for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
+      const AngleClaim* whole = claim_at(segments[k], 1);
+      if (whole == nullptr) return;
+      to_joint_[k + 1] = to_joint_[k];
+      to_joint_[k + 1].add(*whole);
+      ++known_;
+    }
+  }
+
+  /// No value where a segment claims nothing of that.
+  std::optional<ClaimedSum> at(const PathParameter& t) const {
+    if (t.segment > known_) return std::nullopt;
+    ClaimedSum sum = to_joint_[t.segment];
+    if (t.t == 0) return sum;
+    const AngleClaim* part = claim_at(segments_[t.segment], t.t);
+    if (part == nullptr) return std::nullopt;
+    sum.add(*part);
+    return sum;
+  }
+
+ private:
+  const std::vector<Certificate>& segments_;
+  std::vector<ClaimedSum> to_joint_;
+  std::size_t known_ = 0;  ///< the last joint up to which all segments claim their end
+};
+
+bool follows(const AngleClaim& claim, const ClaimedSum& sum) {
+  return abs(sum.value - parse_rational(claim.theta)) + sum.radius <= parse_rational(claim.radius);
+}
+
+/// θ(t) correctly rounded. A decimal half way between two gets a whole unit, one that is exact
+/// none.
+AngleClaim rounded_claim(const Real& theta, const Rational& t, long digits) {
+  AngleClaim claim{t, round_to_decimal(theta, digits).value, "0", {}};
+  const Rational value = parse_rational(claim.theta);
+  const std::optional<Rational>& exact = theta.exact();
+  if (t == 0 || (exact && *exact == value && value != 0)) return claim;
+  Rational radius = half_unit_of(value, digits);
+  if (exact && abs(*exact - value) == radius) radius *= 2;
+  claim.radius = upper_bound_text(radius, 1);
+  return claim;
+}
+
+}  // namespace
+
+PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, long digits) {
+  const auto& curves = path.segments();
+  if (!path.corners().empty())
+    throw DomainError(
+        fmt::format("certify: the path has a corner at t = {}, which no certificate "
+                    "tells of",
+                    path.corners().front()));
+  const PathAngle angle{Path(path)};
+  PathCertificate certificate;
+  std::vector<std::vector<Rational>> places(curves.size());
+  for (const Rational& t : at) {
+    locate_inside(path, t);  // which throws outside
+    if (t < 0 || t > path.end())
+      throw DomainError("certify: t = " + to_string(t) + " is not on the path");
+    certificate.claims.push_back(rounded_claim(angle.value(t), t, digits));
+    const PathParameter place = place_on(curves.size(), t);
+    const auto ask = [&](std::size_t k, const Rational& s) {
+      if (std::ranges::find(places[k], s) == places[k].end()) places[k].push_back(s);
+    };
+    for (std::size_t k = 0; k < place.segment; ++k) ask(k, 1);
+    if (place.t != 0) ask(place.segment, place.t);
+  }
+  for (const long more : {4L, 16L, 64L, 256L}) {
+    const long of_count = static_cast<long>(std::to_string(curves.size()).size());
+    certificate.segments.clear();
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      certificate.segments.push_back(
+          certify(curves[k], Reference::euler_rodrigues, places[k], digits + of_count + more));
+    const SegmentSums sums(certificate.segments);
+    if (std::ranges::all_of(certificate.claims, [&](const AngleClaim& claim) {
+          return follows(claim, sums.at(place_on(curves.size(), claim.t)).value());
+        }))
+      return certificate;
+  }
+  throw Undecided(
+      "certify: angles of the segments with 256 more digits do not tell that of the path");
+}
+
+std::vector<Statement> verify(const PathCertificate& c) {
+  std::vector<Statement> list;
+  std::vector<bool> is_proved;
+  for (std::size_t k = 0; k < c.segments.size(); ++k) {
+    for (Statement& statement : verify(c.segments[k])) {
+      statement.segment = k;
+      list.push_back(std::move(statement));
+    }
+    // What the angles of a segment rest on is that they are proved.
+    is_proved.push_back(std::ranges::all_of(list, [k](const Statement& statement) {
+      return statement.segment != k || statement.is_proved() ||
+             !std::holds_alternative<AngleClaim>(statement.what);
+    }));
+  }
+  std::size_t joined = 0;  // the last joint up to which all are proved
+  for (std::size_t k = 1; k < c.segments.size(); ++k) {
+    const std::string objection = objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve);
+    if (objection.empty() && joined + 1 == k) joined = k;
+    list.push_back({fmt::format("joint {}", k), objection});
+  }
+  const SegmentSums sums(c.segments);
+  for (const AngleClaim& claim : c.claims) {
+    const auto objection = [&]() -> std::string {
+      if (claim.t < 0 || claim.t > Rational(static_cast<long>(c.segments.size())))
+        return "t is not on the path";
+      const PathParameter at = place_on(c.segments.size(), claim.t);
+      if (at.segment > joined) return "rests on the joints";
+      for (std::size_t k = 0; k < at.segment + (at.t == 0 ? 0 : 1); ++k)
+        if (!is_proved[k]) return fmt::format("rests on the angles of segment {}", k);
+      const auto sum = sums.at(at);
+      if (!sum) return "the segments do not claim the angles that it is the sum of";
+      return follows(claim, *sum) ? "" : "it does not follow from the angles of the segments";
+    };
+    list.push_back({claim, objection()});
+  }
+  return list;
+}
+
+std::variant<Path, std::string> path_of(const PathCertificate& c) {
+  std::vector<Segment> segments{PhSegment(c.segments.front().curve)};
+  for (std::size_t k = 1; k < c.segments.size(); ++k) {
+    if (!objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve).empty())
+      return "rests on the joints";
+    segments.emplace_back(PhSegment(c.segments[k].curve));
+  }
+  return Path::of_continuous(std::move(segments));
+}
+
+}  // namespace phrame

@@ -1,0 +1,145 @@
+"""Certificates of paths: both checkers say the same, statement by statement, of those of the program, of forged ones and of tables of frames under
+them; the angles are those of mpmath's quadrature, where that is there.
+"""
+import copy
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from argparse import Namespace
+from contextlib import redirect_stderr, redirect_stdout
+from fractions import Fraction
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import check_certificate as checker
+
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+AT = "0,1/2,1,5/3,3"
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def phrame(*arguments):
+    done = run(*arguments)
+    return done.stdout if done.returncode == 0 else sys.exit("phrame %s: %s" % (" ".join(map(str, arguments)), done.stderr))
+
+
+def both(path, curve=None, table=None):
+    """(status, lines) of the script, and of the program; no lines where the file is none."""
+    options = Namespace(quiet=False, curve=curve and str(curve), table=table and str(table), max_degree=1001, unlimited=False, files=[])
+    out = io.StringIO()
+    with redirect_stdout(out), redirect_stderr(io.StringIO()):
+        status = checker.check(str(path), options)
+    more = (["--curve", curve] if curve else []) + (["--table", table] if table else [])
+    done = run("verify", path, *more)
+    return (status, out.getvalue().splitlines()), (done.returncode, done.stdout.splitlines())
+
+
+def statements(lines):
+    """Without the reasons, which each has in its own words."""
+    return [line.rsplit(": ", 1)[0] if line.startswith("not proved") else line for line in lines]
+
+
+def expect(status, what, *arguments, line=None, **more):
+    mine, other = both(*arguments, **more)
+    if mine[0] != status or other[0] != status or status < 2 and statements(mine[1]) != statements(other[1]):
+        sys.exit("%s: the script %s, verify %s\n%s" % (what, mine[0], other[0], "\n".join(set(mine[1]) ^ set(other[1]))))
+    if line and not any(text.startswith("not proved  " + line) for text in mine[1]):
+        sys.exit("%s: it is not told that %s" % (what, line))
+
+
+def angle_by_quadrature(certificate, t, mp):
+    """The sum of the integrals of -2h/sigma."""
+    total = mp.mpf(0)
+    for k, segment in enumerate(certificate["segments"]):
+        end = min(max(t - k, 0), 1)
+        A = [[mp.mpf(Fraction(c).numerator) / Fraction(c).denominator for c in segment["curve"]["preimage"][x]] for x in "uvpq"]
+
+        def rate(s):
+            u, v, p, q = (mp.polyval(c[::-1], s) for c in A)
+            du, dv, dp, dq = (mp.polyval([n * x for n, x in enumerate(c)][:0:-1] or [0], s) for c in A)
+            return -2 * (u * dv - du * v - p * dq + dp * q) / (u * u + v * v + p * p + q * q)
+        if end > 0:
+            total += mp.quad(rate, [0, mp.mpf(end.numerator) / (2 * end.denominator), mp.mpf(end.numerator) / end.denominator])
+    return total
+
+
+def check_angles(certificate):
+    try:
+        from mpmath import mp
+    except ImportError:
+        return print("mpmath is not installed")
+    mp.dps = 40
+    for claim in certificate["claims"]:
+        off = angle_by_quadrature(certificate, Fraction(claim["t"]), mp) - mp.mpf(claim["theta"])
+        if abs(off) > mp.mpf(claim["radius"]) * (1 + mp.mpf(10) ** -6):
+            sys.exit("theta(%s) is off by %s" % (claim["t"], off))
+
+
+def forgeries(honest):
+    """(what is done, the status, which statement is told not to be proved)"""
+    def changed(do):
+        lie = copy.deepcopy(honest)
+        do(lie)
+        return lie
+    claim = honest["claims"][3]
+    text = "|theta(%s) - " % claim["t"]
+    # What is said of the claims where the angle, its radius, a summand or a joint is not that.
+    yield "another digit", 1, text, changed(lambda c: c["claims"][3].update(theta=claim["theta"][:-1] + "05"[claim["theta"][-1] == "0"]))
+    yield "a small radius", 1, text, changed(lambda c: c["claims"][3].update(radius="1e-33"))
+    yield "outside", 1, "|theta(4) - ", changed(lambda c: c["claims"][3].update(t="4"))
+    yield "no summand", 1, "|theta(3) - ", changed(lambda c: c["segments"][0].update(claims=[x for x in c["segments"][0]["claims"] if x["t"] != "1"]))
+    yield "a wrong summand", 1, "segment 0: |theta(1) - ", changed(lambda c: next(
+        x for x in c["segments"][0]["claims"] if x["t"] == "1").update(theta="0.5"))
+    yield "moved", 1, "joint 1: the segment does not begin", changed(lambda c: c["segments"][1]["curve"].update(start=["0", "0", "1"]))
+    yield "the other way round", 1, "joint 1", changed(lambda c: c["segments"].reverse())
+    # A·i is another frame of the same curve, turned by a half turn.
+    def turn(c):
+        A = c["segments"][1]["curve"]["preimage"]
+        A.update(u=["-" + x if x[0] != "-" else x[1:] for x in A["v"]], v=A["u"], p=A["q"],
+                 q=["-" + x if x[0] != "-" else x[1:] for x in A["p"]])
+    yield "turned", 1, "joint 1: the Euler-Rodrigues frame does not go on", changed(turn)
+    yield "no segments", 2, None, changed(lambda c: c.update(segments=[]))
+    yield "another frame", 2, None, changed(lambda c: c["segments"][0].update(frame="frenet"))
+    yield "another key", 2, None, changed(lambda c: c.update(note="?"))
+    yield "a certificate as a segment of itself", 2, None, changed(lambda c: c["segments"].append(copy.deepcopy(honest)))
+
+
+def main():
+    tried = 0
+    with tempfile.TemporaryDirectory() as folder:
+        points, certificate, table, lie, curve = (Path(folder) / name for name in ("points.csv", "path.cert", "frames.csv", "lie.cert", "path.json"))
+        points.write_text("0,0,0\n1,2,0\n3,2,1\n4,0,3\n")
+        phrame("construct", points, "-o", curve)
+        for path, at in ((curve, AT), (ROOT / "examples/curves/closed-spline.json", "0,1,7/3,3,4")):
+            phrame("certify", path, "--at", at, "--digits", "30", "-o", certificate)
+            expect(0, path.name, certificate)
+            honest = json.loads(certificate.read_text())
+            check_angles(honest)
+            table.write_text(phrame("frames", path, "--at", at))
+            expect(0, "the table", certificate, table=table)
+            head, *rows = table.read_text().splitlines()
+            cells = rows[3].split(",")
+            k = next(k for k in range(7, 13) if float(cells[k]))
+            cells[k] = repr(float(cells[k]) * (1 + 2 ** -51))
+            table.write_text("\n".join([head, *rows[:3], ",".join(cells), *rows[4:]]) + "\n")
+            expect(1, "another table", certificate, table=table, line="table")
+        phrame("certify", curve, "--at", AT, "--digits", "30", "-o", certificate)
+        expect(0, "its curve", certificate, curve=curve)
+        expect(1, "another curve", certificate, curve=ROOT / "examples/curves/bezier-quintic.json", line="curve of")
+        for what, status, line, forged in forgeries(json.loads(certificate.read_text())):
+            lie.write_text(json.dumps(forged))
+            expect(status, what, lie, line=line)
+            tried += 1
+    print("%d forged certificates of paths" % tried)
+
+
+if __name__ == "__main__":
+    main()
