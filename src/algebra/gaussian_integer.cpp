@@ -113,26 +113,6 @@ std::vector<PrimeGroup> prime_groups(unsigned below) {
 
 }  // namespace
 
-GaussianRational operator+(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re + b.re, a.im + b.im};
-}
-
-GaussianRational operator-(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re - b.re, a.im - b.im};
-}
-
-GaussianRational operator*(const Rational& c, const GaussianRational& a) {
-  return {c * a.re, c * a.im};
-}
-
-GaussianRational conjugate(const GaussianRational& a) { return {a.re, -a.im}; }
-
-Rational norm(const GaussianRational& a) { return a.re * a.re + a.im * a.im; }
-
-GaussianRational operator*(const GaussianRational& a, const GaussianRational& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 GaussianInteger primitive_multiple(const GaussianRational& z) {
   const Integer m = lcm(Integer(denominator(z.re)), Integer(denominator(z.im)));
   const Integer re(numerator(Rational(z.re * m)));
@@ -140,14 +120,6 @@ GaussianInteger primitive_multiple(const GaussianRational& z) {
   const Integer common = gcd(re, im);
   return {re / common, im / common};
 }
-
-GaussianInteger operator*(const GaussianInteger& a, const GaussianInteger& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
-GaussianInteger conjugate(const GaussianInteger& a) { return {a.re, -a.im}; }
-
-Integer norm(const GaussianInteger& a) { return a.re * a.re + a.im * a.im; }
 
 GaussianInteger first_quadrant(const GaussianInteger& a) {
   if (a.re > 0 && a.im >= 0) return a;

@@ -1,41 +1,17 @@
 #pragma once
 #include <optional>
 
+#include "phrame/algebra/complex_of.hpp"
 #include "phrame/algebra/rational.hpp"
 #include "phrame/export.hpp"
 
 namespace phrame::inline v0 {
 
-/// re + i·im.
-struct GaussianInteger {
-  Integer re;  ///< the real part
-  Integer im;  ///< the imaginary part
-  friend bool operator==(const GaussianInteger&, const GaussianInteger&) = default;
-};
+using GaussianInteger = ComplexOf<Integer>;    ///< a number of ℤ[i]
+using GaussianRational = ComplexOf<Rational>;  ///< a number of ℚ(i)
 
-/// re + i·im over ℚ.
-struct GaussianRational {
-  Rational re;  ///< the real part
-  Rational im;  ///< the imaginary part
-  friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
-};
-
-/// @{ Exact sums, differences, products and multiples.
-PHRAME_API GaussianRational operator+(const GaussianRational& a, const GaussianRational& b);
-PHRAME_API GaussianRational operator-(const GaussianRational& a, const GaussianRational& b);
-PHRAME_API GaussianRational operator*(const GaussianRational& a, const GaussianRational& b);
-PHRAME_API GaussianRational operator*(const Rational& c, const GaussianRational& a);
-/// @}
-PHRAME_API GaussianRational conjugate(const GaussianRational& a);  ///< re − i·im
-PHRAME_API Rational norm(const GaussianRational& a);               ///< |a|²
 /// The positive multiple of z ≠ 0 whose parts are coprime integers.
 PHRAME_API GaussianInteger primitive_multiple(const GaussianRational& z);
-
-PHRAME_API GaussianInteger operator*(const GaussianInteger& a,
-                                     const GaussianInteger& b);  ///< the product
-PHRAME_API GaussianInteger conjugate(const GaussianInteger& a);  ///< re − i·im
-/// |a|².
-PHRAME_API Integer norm(const GaussianInteger& a);
 /// The one of a, −a, i·a, −i·a that has re > 0 and im ≥ 0; 0 for 0.
 PHRAME_API GaussianInteger first_quadrant(const GaussianInteger& a);
 /// a/b where b ≠ 0 divides a; no value where it does not.

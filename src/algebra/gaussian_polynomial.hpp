@@ -1,32 +1,16 @@
 #pragma once
+#include "phrame/algebra/complex_of.hpp"
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/export.hpp"
 
 namespace phrame::inline v0 {
 
-/// A polynomial over ℚ(i): re + i·im.
-struct GaussianPolynomial {
-  Polynomial re;  ///< the real part for real t
-  Polynomial im;  ///< the imaginary part
-
-  friend bool operator==(const GaussianPolynomial&, const GaussianPolynomial&) = default;
-};
-
-/// @{ Exact arithmetic.
-PHRAME_API GaussianPolynomial operator+(const GaussianPolynomial& a, const GaussianPolynomial& b);
-PHRAME_API GaussianPolynomial operator-(const GaussianPolynomial& a, const GaussianPolynomial& b);
-PHRAME_API GaussianPolynomial operator*(const GaussianPolynomial& a, const GaussianPolynomial& b);
-PHRAME_API GaussianPolynomial operator*(const Polynomial& a, const GaussianPolynomial& b);
-/// @}
+using GaussianPolynomial = ComplexOf<Polynomial>;  ///< a polynomial over ℚ(i)
 
 PHRAME_API bool is_zero(const GaussianPolynomial& a);  ///< are both parts 0?
 /// The greater degree of the two parts; −1 for 0.
 PHRAME_API long degree(const GaussianPolynomial& a);
-/// The complex conjugate at real t: re − i·im.
-PHRAME_API GaussianPolynomial conjugate(const GaussianPolynomial& a);
 PHRAME_API GaussianPolynomial differentiate(const GaussianPolynomial& a);  ///< a′
-/// |a|² = a·ā ∈ ℚ[t].
-PHRAME_API Polynomial norm(const GaussianPolynomial& a);
 /// a over its leading coefficient. Throws DomainError for 0.
 PHRAME_API GaussianPolynomial monic(const GaussianPolynomial& a);
 /// a / b, where b divides a. Throws DomainError where it does not.

@@ -41,9 +41,8 @@ std::vector<Quaternion<double>> first_joints(const C2Data& data,
       q.push_back(a);
       continue;
     }
-    const auto [re, im] = direction_of(hermitian_product(q.back(), a),
-                                       antiparallel * std::sqrt(norm(q.back()) * norm(a)));
-    q.push_back(turned(a, ComplexOf<double>{re, -im}));
+    const double least = antiparallel * std::sqrt(norm(q.back()) * norm(a));
+    q.push_back(turned(a, conjugate(direction_of(hermitian_product(q.back(), a), least))));
   }
   closing_sign = 1;
   if (!data.is_closed) return q;

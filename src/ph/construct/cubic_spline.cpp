@@ -47,9 +47,9 @@ std::vector<Cubic> straight(const FloatQuaternion& u0, const FloatQuaternion& u1
   const Vector<BigFloat> off = triple_step - along * t0;
   if (cosine < BigFloat(0.0) || !(BigFloat(0.0) < along) || BigFloat(4096.0) * tiny < dot(off, off))
     return {};
-  const auto [re, im] = direction_of(hermitian_product(u0, u1), BigFloat(0.0));
+  const Phase to_minimal = conjugate(direction_of(hermitian_product(u0, u1), BigFloat(0.0)));
   const BigFloat lambda = sqrt(along / BigFloat(3.0));
-  return {{lambda, lambda, {re, -im}, 0}};
+  return {{lambda, lambda, to_minimal, 0}};
 }
 
 /// The real roots of ax² + bx + c, each as above/below: of the two that with no cancellation, and
@@ -77,9 +77,8 @@ std::vector<Cubic> cubics(const FloatQuaternion& u0, const FloatQuaternion& u1,
   const BigFloat determinant = dot(normal, normal);
   if (determinant < tiny) return straight(u0, u1, triple_step, cosine, tiny);
   const ComplexOf<BigFloat> h = hermitian_product(u0, u1);
-  const auto [re, im] = direction_of(h, BigFloat(0.0));
-  const ComplexOf<BigFloat> to_minimal{re, -im};
-  const BigFloat c = sqrt(h.re * h.re + h.im * h.im);
+  const Phase to_minimal = conjugate(direction_of(h, BigFloat(0.0)));
+  const BigFloat c = sqrt(norm(h));
   const Vector<BigFloat> b =
       symmetric_product(u0, turned(turned(u1, to_minimal), {BigFloat(0.0), BigFloat(1.0)}));
   const BigFloat s0 = dot(triple_step, t0);

@@ -195,9 +195,8 @@ void Search::add_dependent(double delta) {
   const Hamilton a2 = s0 > 0 ? kappa * a0_ : preimage(data_.d1);
   const Hamilton sum = a0_ + a2;
   Hamilton b = preimage(c(a2));
-  const auto [re, im] =
-      direction_of(hermitian_product(norm(sum) > least_ * least_ ? sum : a0_, b), least_ * least_);
-  b = turned(b, DoubleComplex{re, -im});
+  const DoubleComplex h = hermitian_product(norm(sum) > least_ * least_ ? sum : a0_, b);
+  b = turned(b, conjugate(direction_of(h, least_ * least_)));
   for (const double sign : {1.0, -1.0}) {
     std::vector<double> parameters;
     append(parameters, 0.25 * (sign * b - 3.0 * sum));

@@ -1,24 +1,13 @@
 #pragma once
 #include <cmath>
 
+#include "phrame/algebra/complex_of.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 
 // The algebra that interpolation by PH curves lives in, for any numbers: doubles for guesses,
 // BigFloat for what is rounded, integers and fractions for what is exact.
-
-/// re + i·im.
-template <class T>
-struct ComplexOf {
-  T re;
-  T im;
-};
-
-template <class T>
-ComplexOf<T> operator*(const ComplexOf<T>& a, const ComplexOf<T>& b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
 
 /// A·(re + i·im). By a complex number of size 1 this leaves A i A* alone.
 template <class T>
@@ -94,7 +83,7 @@ Quaternion<T> preimage(const Vector<T>& d) {
 template <class T>
 ComplexOf<T> direction_of(const ComplexOf<T>& z, const T& least) {
   using std::sqrt;
-  const T size = sqrt(z.re * z.re + z.im * z.im);
+  const T size = sqrt(norm(z));
   if (!(least < size)) return {T(1.0), T(0.0)};
   return {z.re / size, z.im / size};
 }

@@ -60,9 +60,8 @@ Phase turn_to(const FloatQuaternion& a, const FloatQuaternion& b) {
 }
 
 Phase turn_to(const FloatQuaternion& a, const FloatQuaternion& b, const BigFloat& size) {
-  const auto [re, im] =
-      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * size * sqrt(norm(b)));
-  return {re, -im};
+  return conjugate(
+      direction_of(hermitian_product(a, b), BigFloat(antiparallel) * size * sqrt(norm(b))));
 }
 
 GaussianInteger short_direction(const Phase& wanted) {

@@ -92,9 +92,8 @@ QuinticFamily::QuinticFamily(const HermiteData<double>& data)
       a2_(preimage(data.d1)),
       s0_(size(data.d0)),
       s1_(size(data.d1)) {
-  const auto [re, im] =
-      direction_of(hermitian_product(a0_, a2_), antiparallel * std::sqrt(s0_ * s1_));
-  a2_ = turned(a2_, ComplexOf<double>{re, -im});
+  const double least = antiparallel * std::sqrt(s0_ * s1_);
+  a2_ = turned(a2_, conjugate(direction_of(hermitian_product(a0_, a2_), least)));
   g_ = hermitian_product(a0_, a2_).re;
   a_ = symmetric_product(a0_, a2_);
   b_ = symmetric_product(a0_, turned(a2_, ComplexOf<double>{0, 1}));
@@ -133,8 +132,7 @@ QuinticFamily::Member QuinticFamily::member(double delta, double phi) const {
   Quaternion<double> b = preimage(c(delta));
   // The two terms of the sum may cancel: where Δ is a half turn and d₀ = d₁.
   const double least = antiparallel * (std::sqrt(s0_) + std::sqrt(s1_)) * std::sqrt(norm(b));
-  const auto [re, im] = direction_of(hermitian_product(sum, b), least);
-  b = turned(turned(b, ComplexOf<double>{re, -im}), unit(phi));
+  b = turned(turned(b, conjugate(direction_of(hermitian_product(sum, b), least))), unit(phi));
   return {a0_, 0.25 * (b - 3.0 * sum), a2};
 }
 

@@ -93,7 +93,7 @@ void Chain::add(std::size_t k) {
   if (data_.is_closed && k + 1 == data_.segments()) {
     const GaussianInteger closing = short_direction(next_turn);
     n = sqrt(norm(closing));
-    q = turned(first_, ComplexOf<Integer>{closing.re, closing.im});
+    q = turned(first_, closing);
   } else {
     q = rounded(turned(a2, turn_), k + 1);
   }

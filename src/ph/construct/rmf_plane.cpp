@@ -18,7 +18,7 @@ namespace {
 
 using PlaneNumber = ComplexOf<BigFloat>;
 
-BigFloat size_of(const PlaneNumber& z) { return sqrt(z.re * z.re + z.im * z.im); }
+BigFloat size_of(const PlaneNumber& z) { return sqrt(norm(z)); }
 
 /// One of the two square roots, without cancellation.
 PlaneNumber square_root_of(const PlaneNumber& z) {

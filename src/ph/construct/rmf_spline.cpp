@@ -176,7 +176,7 @@ RmfChain::Joint RmfChain::end_of(const FloatQuaternion& as_is, std::size_t k, lo
   const GaussianRational u =
       unit_near({rounded_to_places(re, precision), rounded_to_places(im, precision)},
                 bits_for(norm(first_), places));
-  const RationalQuaternion base = turned(first_, ComplexOf<Rational>{u.re, u.im});
+  const RationalQuaternion base = turned(first_, u);
   return {base, size_at(k + 1, base)};
 }
 
@@ -231,9 +231,7 @@ RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Ra
   a0_ = preimage(big_floats(chain.data_.derivatives[k], precision_));
   a3_ = preimage(big_floats(d3, precision_));
   if (is_exact) a3_ = big_floats(rounded_to_places(a3_, places_of_end), precision_);
-  const auto [re, im] =
-      direction_of(hermitian_product(a0_, big_floats(q_, precision_)), BigFloat(0.0));
-  turn_ = {re, im};
+  turn_ = direction_of(hermitian_product(a0_, big_floats(q_, precision_)), BigFloat(0.0));
   end_turn_ = turn_to(a0_, a3_) * turn_;
 }
 
