@@ -4,6 +4,7 @@
 
 #include "phrame/cli/option_list.hpp"
 #include "phrame/cli/terminal.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/write/passage.hpp"
 
 namespace phrame::inline v0::cli {

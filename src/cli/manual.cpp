@@ -5,6 +5,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/option_list.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/version.hpp"
 
 namespace phrame::inline v0::cli {

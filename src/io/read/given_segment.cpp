@@ -8,6 +8,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/curve/place.hpp"
 
 namespace phrame::inline v0 {
 namespace {

@@ -12,6 +12,7 @@
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/algebra/recent.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::inline v0 {
 namespace {

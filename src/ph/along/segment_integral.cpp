@@ -6,6 +6,7 @@
 #include "phrame/ph/along/arc_length.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/vector.hpp"
 

@@ -10,6 +10,7 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 // With g = αβ′ − α′β: κ = 2|g|/(fσ²), ds = fσ dt.
 

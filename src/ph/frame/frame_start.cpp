@@ -1,5 +1,7 @@
 #include "phrame/ph/frame/frame_start.hpp"
 
+#include "phrame/ph/curve/vector.hpp"
+
 namespace phrame::inline v0 {
 
 // n = (Re g·e₂ − Im g·e₃)/|g|, so that an angle to n is that to e₂ and arg g.

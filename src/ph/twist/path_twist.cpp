@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/spline_slopes.hpp"
 #include "phrame/ph/curve/vector.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/twist/best_in_plane.hpp"
 
 namespace phrame::inline v0 {
 namespace {

@@ -2,6 +2,7 @@
 #include "phrame/answer/totals.hpp"
 #include "io/reference.hpp"
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/passage.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "support/paths.hpp"
 #include "support/text.hpp"
