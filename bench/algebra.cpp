@@ -4,7 +4,6 @@
 #include "curves.hpp"
 #include "phrame/algebra/resultant.hpp"
 #include "phrame/integrate/hermite.hpp"
-#include "phrame/integrate/horowitz.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 
@@ -28,18 +27,15 @@ void residues_are_distinct(State& state) {
 }
 
 /// The rational part of ∫ ρ/σ³, the bending energy of a random curve: a pole of order three.
-void reduce(State& state, RationalPart (*method)(const RationalFunction&)) {
+void hermite(State& state) {
   const Curve curve = random_curve(state.range(0) / 6);
   const RationalFunction f(rho(curve.preimage()), pow(sigma(curve.preimage()), 3));
-  for (auto _ : state) benchmark::DoNotOptimize(method(f));
+  for (auto _ : state) benchmark::DoNotOptimize(hermite_reduce(f));
 }
-void hermite(State& state) { reduce(state, hermite_reduce); }
-void horowitz(State& state) { reduce(state, horowitz_reduce); }
 
 BENCHMARK(residue_polynomial)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Arg(64)->Arg(96);
 BENCHMARK(residues_are_distinct)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Arg(64)->Arg(96);
 BENCHMARK(hermite)->Arg(6)->Arg(12)->Arg(30)->Arg(60);
-BENCHMARK(horowitz)->Arg(6)->Arg(12)->Arg(30)->Arg(60);
 
 }  // namespace
 }  // namespace phrame::bench

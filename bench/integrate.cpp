@@ -11,8 +11,6 @@
 #include "curves.hpp"
 #include "phrame/algebra/hadamard.hpp"
 #include "phrame/algebra/resultant.hpp"
-#include "phrame/integrate/hermite.hpp"
-#include "phrame/integrate/horowitz.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 

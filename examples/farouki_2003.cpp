@@ -50,12 +50,11 @@ int main() {
   show("(r′ × r″)·r‴", triple_product(curve));
   show("σ", sigma(preimage));
   show("ρ", rho(preimage));
-  const auto split = split_by_linear_system(preimage);
-  if (!split || !(*split == closed_split(preimage))) return 1;
-  show("a", split->a);
-  show("b", split->b);
-  print_roots(split->a, sigma(preimage), "z", "c");
-  print_roots(split->b, rho(preimage), "w", "d");
+  const auto [a, b] = closed_split(preimage);
+  show("a", a);
+  show("b", b);
+  print_roots(a, sigma(preimage), "z", "c");
+  print_roots(b, rho(preimage), "w", "d");
 
   for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
     RmfAngle theta(curve, reference);

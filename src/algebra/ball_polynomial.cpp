@@ -196,12 +196,6 @@ RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits) {
   return result_of<RealBall>(arb_poly_evaluate, p.raw(), x.raw(), bits);
 }
 
-RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, long bits) {
-  const Rational middle = (a + b) / 2;
-  const BallPolynomial taylor = shifted(p, RealBall(middle, bits), bits);
-  return evaluate(taylor, hull(Rational(a - middle), Rational(b - middle), bits), bits);
-}
-
 std::vector<RealBall> to_bernstein(const BallPolynomial& p, long n, long bits) {
   // b_r = Σ_k C(r, k) p_k/C(n, k): sums of p_k/C(n, k), n times over.
   std::vector<RealBall> b;

@@ -46,9 +46,6 @@ BallPolynomial stretched(BallPolynomial p, long e);
 
 /// p(x).
 RealBall evaluate(const BallPolynomial& p, const RealBall& x, long bits);
-/// A ball that contains p on [a, b]; from the Taylor polynomial in the middle, so that it is narrow
-/// where [a, b] is.
-RealBall range(const BallPolynomial& p, const Rational& a, const Rational& b, long bits);
 
 /// The Bernstein coefficients on [0, 1] in degree n ≥ max(degree_bound(), 0): p lies between the
 /// least and the greatest there.

@@ -33,21 +33,6 @@ struct BallMatrix {
 
 }  // namespace
 
-std::optional<std::vector<Rational>> solve_for_coefficients(const std::vector<Polynomial>& columns,
-                                                            const Polynomial& right_side,
-                                                            long equations) {
-  if (static_cast<long>(columns.size()) != equations) return std::nullopt;
-  RationalMatrix a(equations, equations);
-  RationalMatrix x(equations, 1);
-  RationalMatrix b(equations, 1);
-  for (long k = 0; k < equations; ++k) a.set_column(k, columns[static_cast<std::size_t>(k)]);
-  b.set_column(0, right_side);
-  if (fmpq_mat_solve(x.value, a.value, b.value) == 0) return std::nullopt;
-  std::vector<Rational> solution;
-  for (long k = 0; k < equations; ++k) solution.emplace_back(fmpq_mat_entry(x.value, k, 0));
-  return solution;
-}
-
 std::optional<std::vector<RealBall>> solve(const std::vector<std::vector<RealBall>>& columns,
                                            const std::vector<RealBall>& right_side, long bits) {
   const auto size = static_cast<slong>(columns.size());

@@ -11,6 +11,7 @@
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/refusal.hpp"
 
 using namespace phrame;
@@ -463,7 +464,7 @@ TEST_CASE("frame table: law: f2 turns by -k1 and f3 by -k2 of the arc length, ag
   columns.scalars = {TabulatedScalar::bend_f2, TabulatedScalar::bend_f3, TabulatedScalar::curvature,
                      TabulatedScalar::arc_length};
   const Rational t(1, 3), h(1, 100000);
-  for (const Path& path : {Path(test::quintic), by_positions(test::quintic)}) {
+  for (const Path& path : {Path(test::quintic), test::by_positions(test::quintic)}) {
     const auto rows =
         frame_table(PathAngle(path), columns, {{0, Rational(t - h)}, {0, t}, {0, Rational(t + h)}})
             .rows;

@@ -245,7 +245,7 @@ TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed
   const auto check = [](const PhPath& path, const Feedrate& feedrate) {
     const InterpolationQuery query{feedrate, Rational(1, 5)};
     const FrameTable exact = answer(NamedPhPath{"", path}, query);
-    const FrameTable found = answer(NamedPath{"", by_positions(path)}, query);
+    const FrameTable found = answer(NamedPath{"", test::by_positions(path)}, query);
     CHECK(found.rows.size() > 3);
     CHECK(found.rows == exact.rows);
   };
@@ -271,9 +271,9 @@ TEST_CASE("interpolation: law: a PH path by its positions is passed as in closed
 TEST_CASE("interpolation: law: segments of two kinds are passed as those of one") {
   const Curve plane({{1}, {}, {}, {0, 1}});
   const PhPath pieces = test::cut(plane, {Rational(1, 3), Rational(2, 3)});
-  Path mixed(by_positions(pieces).segments()[0]);
+  Path mixed(test::by_positions(pieces).segments()[0]);
   mixed.append(PhSegment(pieces.segments()[1]));
-  mixed.append(by_positions(pieces).segments()[2]);
+  mixed.append(test::by_positions(pieces).segments()[2]);
   for (const Feedrate& feedrate :
        {feed({2}), feed({1, 0, Rational(1, 4)}), feed({1, 3}, Feedrate::Of::parameter),
         Feedrate{RationalFunction({5}, {1, 2}), Feedrate::Of::curvature}}) {

@@ -117,7 +117,7 @@ TEST_CASE(
     const NamedPath named = path_of_truth(is_smooth);
     const PathTwist twist(PathAngle(named.path), *named.frame);
     const PathTwist to_up(PathAngle(named.path, Reference::up), *named.frame);
-    const PathTwist positions(PathAngle(by_positions(*named.path.ph())), *named.frame);
+    const PathTwist positions(PathAngle(test::by_positions(*named.path.ph())), *named.frame);
     for (const char* t : {"0", "1/3", "1", "7/4", "5/2", "3"}) {
       const Place at = locate_inside(3, parse_rational(t));
       const Frame<Real> frame = twist.frame(at);

@@ -6,6 +6,7 @@
 #include "phrame/ph/frame/frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
+#include "support/surface_point.hpp"
 
 using namespace phrame;
 
@@ -34,10 +35,10 @@ TEST_CASE("rational sweep: a rational frame of minimal twist is one exactly, wit
       return Rational(1, 2) * (to - from);
     };
     // The first side of the square goes from (1, 1) to (−1, 1): against f₂.
-    CHECK(half(point(patches[0], 1, 0), point(patches[0], 0, 0)) ==
+    CHECK(half(test::point(patches[0], 1, 0), test::point(patches[0], 0, 0)) ==
           Rational(3, 5) * first.e2 + Rational(4, 5) * first.e3);
     const SurfacePatch& end = patches[patches.size() - 4];
-    CHECK(half(point(end, 1, 1), point(end, 0, 1)) ==
+    CHECK(half(test::point(end, 1, 1), test::point(end, 0, 1)) ==
           Rational(5, 13) * last.e2 - Rational(12, 13) * last.e3);
   }
 }

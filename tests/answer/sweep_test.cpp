@@ -60,6 +60,12 @@ double farthest(const Mesh& mesh, Distance distance) {
   return largest;
 }
 
+/// Points − edges + triangles, of a watertight mesh: 2 of a ball, 0 of a torus.
+long euler_characteristic(const Mesh& mesh) {
+  // Each of the three sides of a triangle is that of two.
+  return static_cast<long>(mesh.points.size()) - static_cast<long>(mesh.triangles.size() / 2);
+}
+
 void check_body(const SweptBody& body, long characteristic) {
   CHECK(is_watertight(body.mesh));
   CHECK(euler_characteristic(body.mesh) == characteristic);

@@ -12,6 +12,14 @@ inline PhPath cut(const Curve& curve, std::vector<Rational> at) {
   return path;
 }
 
+/// The same path by its positions, as if it were not known to be PH. Its e₁ is that of the path, or
+/// the opposite everywhere.
+inline Path by_positions(const PhPath& path) {
+  std::vector<Segment> segments;
+  for (const Curve& curve : path.segments()) segments.emplace_back(RationalCurve(position(curve)));
+  return joined(std::move(segments));
+}
+
 /// The curves, each moved to where the one before ends.
 inline PhPath chain(const std::vector<Curve>& curves) {
   PhPath path(curves.front());

@@ -6,6 +6,7 @@
 #include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/partial_fractions.hpp"
 #include "phrame/integrate/short_integral.hpp"
+#include "phrame/ph/curve/shape.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -31,10 +32,7 @@ GaussianPolynomial bend_of(const QuaternionPolynomial& a) {
 
 /// n = (Re g·e₂ − Im g·e₃)/|g| is along v × e₁ = (v·e₃) e₂ − (v·e₂) e₃.
 GaussianPolynomial bend_of(const QuaternionPolynomial& a, const Vector<Rational>& v) {
-  const auto along_v = [&v](const Vector<Polynomial>& e) {
-    return v[0] * e[0] + v[1] * e[1] + v[2] * e[2];
-  };
-  GaussianPolynomial g{along_v(rotated_k(a)), along_v(rotated_j(a))};
+  GaussianPolynomial g{dot(v, rotated_k(a)), dot(v, rotated_j(a))};
   if (is_zero(g)) throw DomainError("the up vector is along the tangent all along");
   return g;
 }
@@ -83,10 +81,6 @@ RationalFunction rate_of_argument(const GaussianPolynomial& g) {
 
 RationalFunction rate_to_erf(const QuaternionPolynomial& a) {
   return {Rational(-2) * twist_numerator(a), sigma(a)};
-}
-
-RationalFunction rate_to_frenet(const QuaternionPolynomial& a) {
-  return rate_to_erf(a) + rate_of_argument(regular_bend(a));
 }
 
 struct RmfAngle::Parts {

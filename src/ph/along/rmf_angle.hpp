@@ -94,12 +94,8 @@ PHRAME_API GaussianRational bend_after_zero(const QuaternionPolynomial& a);
 /// (arg g)′ = Im(g′/g).
 PHRAME_API RationalFunction rate_of_argument(const GaussianPolynomial& g);
 
-// θ′ of the rotation-minimizing frame to these frames, in lowest terms; the frames themselves turn
-// about the tangent with the opposite rates.
-
-/// −2h/σ.
+/// −2h/σ: θ′ of the rotation-minimizing frame to the Euler–Rodrigues frame, which turns about the
+/// tangent with the opposite rate. In lowest terms.
 PHRAME_API RationalFunction rate_to_erf(const QuaternionPolynomial& a);
-/// −2h/σ + Im(g′/g). Throws DomainError for a straight line.
-PHRAME_API RationalFunction rate_to_frenet(const QuaternionPolynomial& a);
 
 }  // namespace phrame

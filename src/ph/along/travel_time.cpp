@@ -224,7 +224,10 @@ TravelTime::TravelTime(const Path& path, const Feedrate& feedrate)
     : state_(std::make_shared<const State>(path, feedrate)) {}
 
 const PathLength& TravelTime::length() const { return state_->length; }
-const SegmentTime& TravelTime::segment(std::size_t k) const { return state_->segments.at(k); }
+const Antiderivative* TravelTime::closed_form(std::size_t k) const {
+  const auto* form = state_->segments.at(k).closed_form();
+  return form == nullptr ? nullptr : &form->antiderivative;
+}
 const Real& TravelTime::total() const { return state_->starts.back(); }
 Real TravelTime::time(const Place& at) const { return state_->time(at); }
 

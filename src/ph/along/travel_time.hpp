@@ -7,7 +7,7 @@
 
 namespace phrame::inline v0 {
 
-class SegmentTime;
+struct Antiderivative;
 
 /// The number of whole k ≥ 0 with k·period < total. Throws DomainError for a period ≤ 0; Undecided
 /// where the total cannot be told from a multiple of the period.
@@ -37,8 +37,9 @@ class PHRAME_API TravelTime {
   ~TravelTime() = default;
 
   const PathLength& length() const;  ///< the arc length along the path
-  /// The time along segment k, from its start, with V(t) or V(κ).
-  const SegmentTime& segment(std::size_t k) const;
+  /// The time along segment k up to a constant, with V(t) or V(κ); null where it has no closed
+  /// form.
+  const Antiderivative* closed_form(std::size_t k) const;
 
   /// T there, exact where it is seen to be rational.
   Real time(const Place& at) const;
@@ -48,8 +49,8 @@ class PHRAME_API TravelTime {
 
   /// A point of the path and the arc length up to it.
   struct Point {
-    Place at;
-    Real arc_length;
+    Place at;         ///< of the path
+    Real arc_length;  ///< from the start of the path to there
   };
   /// The point with T = time, at a joint that of the later segment. Exact and algebraic t are
   /// decided along PH curves where T has no logarithms and is rational up to the start of the

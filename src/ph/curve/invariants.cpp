@@ -3,7 +3,6 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
-#include "phrame/algebra/linear_system.hpp"
 
 namespace phrame::inline v0 {
 
@@ -44,22 +43,6 @@ Polynomial triple_product(const Curve& curve) {
   const QuaternionPolynomial& preimage = curve.preimage();
   const auto [a, b] = closed_split(preimage);
   return pow(curve.multiplier(), 3) * (a * rho(preimage) + b * sigma(preimage));
-}
-
-std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage) {
-  const Polynomial s = sigma(preimage);
-  const Polynomial r = rho(preimage);
-  if (r.is_zero()) return std::nullopt;
-  // deg a < deg σ, deg b < deg ρ: as many unknowns as coefficients of a·ρ + b·σ.
-  std::vector<Polynomial> columns;
-  for (long k = 0; k < s.degree(); ++k) columns.push_back(r * Polynomial::monomial(1, k));
-  for (long k = 0; k < r.degree(); ++k) columns.push_back(s * Polynomial::monomial(1, k));
-  const auto solution =
-      solve_for_coefficients(columns, triple_product(Curve(preimage)), s.degree() + r.degree());
-  if (!solution) return std::nullopt;
-  const auto middle = solution->begin() + s.degree();
-  return AngleSplit{Polynomial(std::vector(solution->begin(), middle)),
-                    Polynomial(std::vector(middle, solution->end()))};
 }
 
 RationalFunction squared_curvature(const Curve& curve) {

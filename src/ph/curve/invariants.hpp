@@ -57,8 +57,4 @@ struct AngleSplit {
 /// Of the curves with this preimage.
 PHRAME_API AngleSplit closed_split(const QuaternionPolynomial& preimage);
 
-/// The same by the paper's linear system for the coefficients of a and b. It has a unique solution
-/// only where gcd(σ, ρ) = 1 and no degree drops; no value otherwise.
-PHRAME_API std::optional<AngleSplit> split_by_linear_system(const QuaternionPolynomial& preimage);
-
 }  // namespace phrame

@@ -231,12 +231,6 @@ std::optional<NamedPhPath> as_ph(const NamedPath& named) {
   return ph;
 }
 
-Path by_positions(const PhPath& path) {
-  std::vector<Segment> segments;
-  for (const Curve& curve : path.segments()) segments.emplace_back(RationalCurve(position(curve)));
-  return joined(std::move(segments));
-}
-
 const PhSegment& segment_with_erf(const Path& path, std::size_t k) {
   if (const auto* ph = std::get_if<PhSegment>(&path.segments()[k])) return *ph;
   throw DomainError(fmt::format(

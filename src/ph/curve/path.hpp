@@ -59,6 +59,7 @@ class PHRAME_API Path {
   /// PhPath::closing_turn() of a path of PH curves; no value for others.
   std::optional<GaussianRational> closing_turn() const;
 
+  /// Are the segments equal, one by one?
   friend bool operator==(const Path& a, const Path& b) { return a.segments() == b.segments(); }
 
  private:
@@ -81,10 +82,6 @@ PHRAME_API Closure closure(const Path& path);
 
 /// The segments, at least one, one after the other. Throws as Path::append.
 PHRAME_API Path joined(std::vector<Segment> segments);
-
-/// The same path by its positions, as if it were not known to be PH. Its e₁ is that of the path, or
-/// the opposite everywhere.
-PHRAME_API Path by_positions(const PhPath& path);
 
 /// A path and what it is called.
 struct NamedPath {

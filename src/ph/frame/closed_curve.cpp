@@ -7,7 +7,6 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/path_angle.hpp"
-#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/crossings.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -93,14 +92,6 @@ Real writhe(const Path& path) {
   check_closed(path);
   if (plane_normal(path)) return Rational(0);
   return writhe(closed_frame(path));
-}
-
-Real holonomy(const ClosedFrame& frame) {
-  const Real turn([twist = frame.twist](long bits) {
-    const RealBall turns = subtract({}, twist.enclose(bits + 8), bits + 8);
-    return multiply(turns, times_power_of_two(pi(bits + 8), 1), bits + 8);
-  });
-  return reduced(turn).angle;
 }
 
 long self_linking_number(const ClosedFrame& frame, const Real& torsion) {

@@ -34,9 +34,6 @@ PHRAME_API Real writhe(const ClosedFrame& frame);
 /// The same of a closed curve, 0 where it is plane, also where it crosses itself. Throws as
 /// closed_frame().
 PHRAME_API Real writhe(const Path& path);
-/// The angle in (−π, π] by which a rotation-minimizing frame comes back turned about the tangent:
-/// −2π·Tw, up to whole turns. Where it is not told from ±π within 256 bits it is next to π.
-PHRAME_API Real holonomy(const ClosedFrame& frame);
 /// The self-linking number Lk − Tw + ∫τ ds/(2π) of a curve without inflections: how often it is
 /// linked with its copy shifted along its principal normals. `torsion` is ∫τ ds. Throws Undecided
 /// where that is not seen to be an integer.

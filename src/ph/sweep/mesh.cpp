@@ -80,11 +80,6 @@ std::optional<std::size_t> first_flat_triangle(const Mesh& mesh) {
   return std::nullopt;
 }
 
-long euler_characteristic(const Mesh& mesh) {
-  // Each of the three sides of a triangle is that of two.
-  return static_cast<long>(mesh.points.size()) - static_cast<long>(mesh.triangles.size() / 2);
-}
-
 double volume(const Mesh& mesh) {
   // Of pyramids over the triangles with their apex at the first point, which keeps them small.
   double sum = 0;

@@ -28,8 +28,6 @@ PHRAME_API bool is_watertight(const Mesh& mesh);
 /// The number of the first triangle without an area, its corners being on one line or the same:
 /// decided exactly, for the coordinates as they are.
 PHRAME_API std::optional<std::size_t> first_flat_triangle(const Mesh& mesh);
-/// Points − edges + triangles, of a watertight mesh: 2 of a ball, 0 of a torus.
-PHRAME_API long euler_characteristic(const Mesh& mesh);
 /// Of a watertight mesh, in doubles.
 PHRAME_API double volume(const Mesh& mesh);
 

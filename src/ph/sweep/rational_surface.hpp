@@ -18,9 +18,6 @@ struct SurfacePatch {
   /// @}
 };
 
-/// S(u, s), by de Casteljau's algorithm.
-Vector<Rational> point(const SurfacePatch& patch, const Rational& u, const Rational& s);
-
 /// The side of a swept body. Its normal S_u × S_s is outward.
 struct RationalSurface {
   std::vector<SurfacePatch> patches;  ///< along the path, and around the profile at each place

@@ -19,7 +19,6 @@ class WronskianFrame {
   WronskianFrame(const Curve& curve, FrameWeight weight);
 
   const Curve& curve() const { return curve_; }              ///< with a primitive preimage
-  FrameWeight weight() const { return weight_; }             ///< ρ
   const Polynomial& wronskian() const { return n_; }         ///< 2hσ
   const WronskianPlanes& planes() const { return planes_; }  ///< of (24)
   std::size_t best() const { return best_; }  ///< the index of the plane of the best pair

@@ -14,6 +14,7 @@
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "support/curves.hpp"
+#include "support/paths.hpp"
 #include "support/skip.hpp"
 #include "support/text.hpp"
 
@@ -124,7 +125,7 @@ TEST_CASE("page: with an end normal there is the frame of minimal twist") {
   };
   PageQuery query{.samples = 3, .end_normal = up};
   check(answer(NamedPhPath{"q", path, {}}, query));
-  check(answer(NamedPath{"q", by_positions(path)}, query));
+  check(answer(NamedPath{"q", test::by_positions(path)}, query));
   query.end_normal = {3, 4, 0};
   CHECK_THROWS_AS(answer(NamedPhPath{"q", path, {}}, query), DomainError);
 }

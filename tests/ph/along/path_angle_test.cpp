@@ -112,7 +112,7 @@ TEST_CASE("spline: holonomies of plane pieces are exact multiples of a quarter t
   CHECK(digits(half.holonomy().value()) == "3.14159265358979");
   CHECK(half.value(8).exact() == Rational(0));
   // By positions nothing is known but values: that it is within 256 bits of half a turn.
-  const Real by_values = *PathAngle(by_positions(*half.path().ph()), {3, 5, 7}).holonomy();
+  const Real by_values = *PathAngle(test::by_positions(*half.path().ph()), {3, 5, 7}).holonomy();
   CHECK(digits(by_values) == "3.14159265358979");
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("spline: the angle to the Frenet frame, where that is continuous") {
     CHECK(digits(angle.value(at)) == digits(one.value(t)));
   }
   CHECK(digits(angle.value(2)) == digits(-total_torsion(Path(halves)).value));
-  CHECK(digits(PathAngle(by_positions(halves), Reference::frenet).value({1, Rational(1)})) ==
+  CHECK(digits(PathAngle(test::by_positions(halves), Reference::frenet).value({1, Rational(1)})) ==
         digits(angle.value(2)));
   // A plane curve, an inflection at the joint, as of x³ and −x³.
   const auto frenet = [](const std::vector<Curve>& curves) {
@@ -262,7 +262,7 @@ TEST_CASE("path angle: to the frame of v the closed form is the integral by posi
     CAPTURE(curve);
     if (v == Vector<Rational>{} || tangent_along(path.segments().front(), v)) return;
     const PathAngle closed(path, v);
-    const PathAngle by_values(by_positions(PhPath(curve)), v);
+    const PathAngle by_values(test::by_positions(PhPath(curve)), v);
     REQUIRE(closed.closed_form(0) != nullptr);
     REQUIRE(by_values.closed_form(0) == nullptr);
     for (const Rational& t : {Rational(1, 3), Rational(1)}) {
@@ -325,7 +325,7 @@ TEST_CASE("path angle: PH curves by their positions have the frames of the exact
     if (degree(curve) > 41) continue;
     ++count;
     CAPTURE(named.name);
-    const Path path = by_positions(PhPath(curve));
+    const Path path = test::by_positions(PhPath(curve));
     const PathAngle angle(path);
     const RmfAngle exact(curve);
     const Frame<Rational> erf = euler_rodrigues_frame(curve, 0);
@@ -464,7 +464,7 @@ TEST_CASE("path angle: the holonomy is the same whether or not the first segment
     return PathAngle(path, {3, 5, 7}).holonomy().value();
   };
   const Path of_ph(ph);
-  for (const Path& path : {of_ph, by_positions(ph)}) {
+  for (const Path& path : {of_ph, test::by_positions(ph)}) {
     std::vector<Segment> segments = path.segments();
     CHECK(digits(holonomy(segments)) == "1.13263544456407");
     for (Segment& segment : segments) {

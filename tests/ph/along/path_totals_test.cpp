@@ -157,7 +157,7 @@ TEST_CASE("path totals: the total curvature of a PH curve is known where κ is n
   const PathTotal total = total_curvature(path);
   CHECK_FALSE(total.exact);
   CHECK(digits(total.value, 50) == "2.9120184674677409926484044075895557550120036190145");
-  CHECK(digits(total_curvature(by_positions(cut(test::quintic, {}))).value, 50) ==
+  CHECK(digits(total_curvature(test::by_positions(cut(test::quintic, {}))).value, 50) ==
         digits(total.value, 50));
 }
 
@@ -296,7 +296,7 @@ TEST_CASE("path totals: a closed path whose frame comes back turned [holonomy of
 
 TEST_CASE("path totals: PH curves have the exact lengths of theirs") {
   for (const Curve& curve : {test::quintic, Curve({{1}, {0, 1}, {0, 1}, {}}, {-1, 2})}) {
-    const Path path = by_positions(PhPath(curve));
+    const Path path = test::by_positions(PhPath(curve));
     const PathLength length(path);
     const Real there = length.value({0, Rational(2, 3)});
     const Rational exact = *arc_length(curve, 0, Rational(1, 4)) +

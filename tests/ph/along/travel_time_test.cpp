@@ -144,7 +144,7 @@ TEST_CASE("travel time: exact cases: through a cusp, and where T is a rational f
   CHECK(time.at_time(Rational(3, 16)).at.t.exact() == Rational(3, 4));
   // r′ = 1, V = (1 + t)²: T = 1 − 1/(1 + t), t = T/(1 − T).
   TravelTime rational = travel_time(Curve({{1}, {}, {}, {}}), feed({1, 2, 1}, Of::parameter));
-  CHECK(rational.segment(0).closed_form()->antiderivative.logs.empty());
+  CHECK(rational.closed_form(0)->logs.empty());
   CHECK(rational.total().exact() == Rational(1, 2));
   CHECK(rational.at_time(Rational(1, 3)).at.t.exact() == Rational(1, 2));
   CHECK(rational.at_time(Rational(2, 5)).at.t.exact() == Rational(2, 3));
@@ -164,7 +164,7 @@ TEST_CASE("travel time: a rational t at which the logarithms cancel is recognise
   TravelTime time =
       travel_time(Curve({{1}, {}, {}, {}}),
                   {RationalFunction(d, d + Polynomial{Rational(-1, 2), 1}), Of::parameter});
-  CHECK_FALSE(time.segment(0).closed_form()->antiderivative.logs.empty());
+  CHECK_FALSE(time.closed_form(0)->logs.empty());
   CHECK(time.total().exact() == 1);
   CHECK(time.at_time(1).at.t.exact() == 1);
   CHECK_FALSE(time.at_time(Rational(1, 2)).at.t.exact().has_value());
@@ -301,8 +301,8 @@ TEST_CASE("travel time: through a segment that turns back") {
   CHECK(digits(of_length.time({1, Rational(1, 4)})) == "0.7827593392496324420371836");
   // log 2 + ∫ |1 − 2t|/(2 + t) dt + log(4/3), by mpmath.
   TravelTime of_t = travel_time(path, feed({1, 1}, Of::parameter));
-  CHECK(of_t.segment(0).closed_form() != nullptr);
-  CHECK(of_t.segment(1).closed_form() == nullptr);
+  CHECK(of_t.closed_form(0) != nullptr);
+  CHECK(of_t.closed_form(1) == nullptr);
   CHECK(digits(of_t.total()) == "1.184939225613001884629336");
 }
 
@@ -312,8 +312,8 @@ TEST_CASE("travel time: along segments of several kinds, where the PH ones have 
   Path path{PhSegment(first)};
   path.append(RationalCurve({Polynomial{1, 1}, Polynomial{0, 0, Rational(1, 2)}, {}}));
   TravelTime time(path, feed({1, 1}, Of::parameter));
-  CHECK(time.segment(0).closed_form() != nullptr);
-  CHECK(time.segment(1).closed_form() == nullptr);
+  CHECK(time.closed_form(0) != nullptr);
+  CHECK(time.closed_form(1) == nullptr);
   CHECK(digits(time.time({1, Rational(0)})) == "0.6931471805599453094172321");
   CHECK(digits(time.total()) == "1.152836716476993173539894");
   const TravelTime::Point point = time.at_time(1);

@@ -3,6 +3,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/arc_length.hpp"
 #include "support/curves.hpp"
+#include "support/linear_system.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -33,7 +34,7 @@ TEST_CASE("invariants: the quintic of Farouki 2003, section 4, as printed") {
   CHECK(rho(a) == Polynomial{720, -2976, 3376, -544, 80});
   const AngleSplit printed{{0, -8, 8}, {-96, -384, 416}};
   CHECK(closed_split(a) == printed);
-  CHECK(split_by_linear_system(a) == printed);
+  CHECK(test::split_by_linear_system(a) == printed);
   CHECK(evaluate(position(quintic), 1) ==
         Vector<Rational>{Rational(1, 15), Rational(38, 15), Rational(17, 5)});
 }
@@ -85,7 +86,7 @@ TEST_CASE("invariants: law: the linear system gives the closed split, wherever i
   long solved = 0;
   for_samples(60, [&](Random& random) {
     const auto a = random.quaternion_polynomial(3);
-    const auto split = split_by_linear_system(a);
+    const auto split = test::split_by_linear_system(a);
     if (!split) return;
     ++solved;
     CHECK(*split == closed_split(a));

@@ -79,7 +79,7 @@ TEST_CASE("path: behind a cusp segments are turned over, so that e1 is continuou
 
 TEST_CASE("path: a PH path by its positions has its points, and is as closed") {
   const PhPath loop = test::closed_loop();
-  const Path path = by_positions(loop);
+  const Path path = test::by_positions(loop);
   REQUIRE(path.segments().size() == loop.segments().size());
   CHECK(path.is_closed());
   for (std::size_t k = 0; k < loop.segments().size(); ++k)
@@ -93,8 +93,8 @@ TEST_CASE("path: a curve that turns back at a cusp to where it came from is not 
   const PhPath parabola(back_and_forth);
   CHECK(parabola.ends_meet());
   CHECK_FALSE(Path(parabola).is_closed());
-  CHECK(by_positions(parabola).ends_meet());
-  CHECK_FALSE(by_positions(parabola).is_closed());
+  CHECK(test::by_positions(parabola).ends_meet());
+  CHECK_FALSE(test::by_positions(parabola).is_closed());
 }
 
 TEST_CASE("path: formulas join by their values, and with rational curves") {

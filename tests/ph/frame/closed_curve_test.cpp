@@ -5,6 +5,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
+#include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/curve/curve_series.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
@@ -19,6 +20,14 @@ namespace {
 
 bool is_near(const Real& value, double expected, double distance) {
   return std::abs(approximate(value.enclose(distance < 1e-10 ? 60 : 30)) - expected) < distance;
+}
+
+/// −2π·Tw in (−π, π]: the angle by which a rotation-minimizing frame comes back turned.
+Real holonomy(const ClosedFrame& frame) {
+  const Real turn([twist = frame.twist](long bits) {
+    return multiply(twist.enclose(bits + 8), times_power_of_two(pi(bits + 8), 1), bits + 8);
+  });
+  return reduced(-turn).angle;
 }
 
 ExpressionCurve figure_eight() {
@@ -107,14 +116,14 @@ TEST_CASE("closed curve: law: a PH spline by its positions has the twist of the 
   const PhPath path = test::chain(test::quarters());
   for (const Vector<Rational>& v : {Vector<Rational>{1, 2, 5}, {1, 3, -2}, {2, 1, -7}}) {
     const auto exact = closed_frame(path, v);
-    const auto other = closed_frame(by_positions(path), v);
+    const auto other = closed_frame(test::by_positions(path), v);
     REQUIRE(exact.has_value() == other.has_value());
     if (!exact) continue;
     CHECK(exact->linking == other->linking);
     CHECK(exact->twist.enclose(100).overlaps(other->twist.enclose(100)));
     CHECK(other->twist.enclose(100).is_accurate(80));
   }
-  CHECK_THROWS_AS(closed_frame(Path(by_positions(path).segments().front())), DomainError);
+  CHECK_THROWS_AS(closed_frame(Path(test::by_positions(path).segments().front())), DomainError);
 }
 
 // The trefoil (2 + cos 3s)(cos 2s, sin 2s), sin 3s: ∫τ ds/2π + Wr = −6 with mpmath's ∫τ ds =
@@ -198,7 +207,7 @@ TEST_CASE("closed curve: what is not closed or touches itself is refused") {
 
 TEST_CASE("closed curve: law: where some segments are PH curves, it is that of the same curve") {
   const Path path = test::chain(test::quarters());
-  const Path by_points = by_positions(test::chain(test::quarters()));
+  const Path by_points = test::by_positions(test::chain(test::quarters()));
   std::vector<Segment> segments = path.segments();
   segments[1] = by_points.segments()[1];
   const ClosedFrame mixed = closed_frame(joined(segments));

@@ -10,6 +10,7 @@
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
+#include "support/paths.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -119,7 +120,7 @@ TEST_CASE("compiled path: a plane path's frame is exact where it is 0") {
 // Two equations for one frame: that of the preimage, and that of H.
 TEST_CASE("compiled path: a PH curve by its positions has the frame of the PH curve") {
   const PhPath ph(test::quintic);
-  const PathAngle angle(by_positions(ph));
+  const PathAngle angle(test::by_positions(ph));
   const Vector<Rational> e2 = euler_rodrigues_frame(test::quintic, 0).e2;
   const CompiledFrames known{PathAngle(ph)};
   const CompiledFrames found = CompiledFrames(angle, start_angle(StartNormal(e2), angle));

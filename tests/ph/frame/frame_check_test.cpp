@@ -547,7 +547,7 @@ TEST_CASE("frame check: a PH path by its positions is judged as that path") {
   test::for_samples(12, [&](test::Random& random) {
     const auto choice = static_cast<std::size_t>(random.integer(0, 3));
     const PhPath path(Curve(test::quintic.preimage(), multipliers[choice], {}));
-    const Path smooth = by_positions(path);
+    const Path smooth = test::by_positions(path);
     const PathAngle theta(path);
     std::vector<GivenFrame> frames;
     for (long k = 0; k <= 6; ++k) {

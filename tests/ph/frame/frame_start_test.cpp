@@ -127,7 +127,7 @@ TEST_CASE("frame start: along the negative x axis there is no least rotation") {
 TEST_CASE("frame start: law: it does not depend on how the curve is given") {
   for_samples(30, [](Random& random) {
     const PhPath path(random.curve(2));
-    const Path smooth = by_positions(path);
+    const Path smooth = test::by_positions(path);
     const PathAngle angle(smooth);
     const Frame<Real> g =
         rotation_minimizing_frame(angle, {0, Rational(1)}, start_angle(LeastRotation{}, angle));

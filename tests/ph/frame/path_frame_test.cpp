@@ -215,7 +215,7 @@ TEST_CASE("path frame: law: through corners by preimages and by positions it is 
     const PhPath ph = test::chain(curves);
     CHECK(ph.corners().size() == 2);
     const PathAngle by_preimage{Path(ph)};
-    const Path positions = by_positions(ph);
+    const Path positions = test::by_positions(ph);
     CHECK(positions.corners() == ph.corners());
     const PathAngle by_points(positions);
     const StartAngle start = start_angle(LeastRotation{}, by_preimage);

@@ -8,6 +8,7 @@
 #include "support/curves.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
+#include "support/surface_point.hpp"
 #include "support/text.hpp"
 
 using namespace phrame;
@@ -77,7 +78,7 @@ void check_surface(const PhPath& path, const RationalSurface& surface,
         const auto expected = evaluate(position(path.segments()[at.segment]), at.t) +
                               Rational(scale * x(u) / weight(u)) * f.e2 +
                               Rational(scale * y(u) / weight(u)) * f.e3;
-        CHECK(point(patch, u, s) == expected);
+        CHECK(test::point(patch, u, s) == expected);
       }
     }
   }
@@ -144,7 +145,9 @@ TEST_CASE("rational sweep: the normal is outward, for either sign of the multipl
     const PhPath line(Curve({{1}, {}, {}, {}}, Polynomial{sign}));
     const RationalSurface surface = swept(line, {square()});
     for (const SurfacePatch& patch : surface.patches) {
-      const auto at = [&](const Rational& u, const Rational& s) { return point(patch, u, s); };
+      const auto at = [&](const Rational& u, const Rational& s) {
+        return test::point(patch, u, s);
+      };
       const Vector<Rational> corner = at(0, 0);
       const auto normal = cross(at(1, 0) - corner, at(0, 1) - corner);
       CHECK(dot(normal, at(Rational(1, 2), 0)) > 0);  // the curve starts at the origin
@@ -163,7 +166,9 @@ TEST_CASE("rational sweep: holes are swept, too, and their normal is into them")
     CHECK(surface.rings == std::vector<std::size_t>{0, 4});
     CHECK(surface.patches.size() == 8);
     for (const SurfacePatch& patch : surface.patches) {
-      const auto at = [&](const Rational& u, const Rational& s) { return point(patch, u, s); };
+      const auto at = [&](const Rational& u, const Rational& s) {
+        return test::point(patch, u, s);
+      };
       const Vector<Rational> corner = at(0, 0);
       const auto normal = cross(at(1, 0) - corner, at(0, 1) - corner);
       CHECK(dot(normal, at(Rational(1, 2), 0)).sign() == (patch.side < 4 ? 1 : -1));

@@ -256,7 +256,7 @@ TEST_CASE("minimal twist, any path: twist and angles by an independent quadratur
 // Two ways: closed forms, and integrals along the same curve by its positions.
 TEST_CASE("minimal twist, any path: along a PH curve it is that of the PH curve") {
   const PhPath ph(test::quintic);
-  const PathAngle angle(by_positions(ph));
+  const PathAngle angle(test::by_positions(ph));
   const Frame<Rational> first = euler_rodrigues_frame(test::quintic, 0);
   const Frame<Rational> last = euler_rodrigues_frame(test::quintic, 1);
   const Vector<Rational> from = first.e2;
@@ -351,7 +351,7 @@ TEST_CASE("minimal twist: that of a PH curve is decided by algebra, to the frame
 TEST_CASE("minimal twist: through a cusp the way goes on") {
   const PhPath ph(Curve(test::quintic.preimage(), Polynomial{1, -2}));
   const PathAngle angle(ph);
-  const PathAngle other(by_positions(ph));
+  const PathAngle other(test::by_positions(ph));
   const StartNormal from({0, 0, 1});
   const StartNormal to({1, 0, 2});
   const MinimalTwist known = minimal_twist(angle, from, to);
