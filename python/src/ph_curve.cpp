@@ -69,27 +69,18 @@ nb::object moved_path(const PathObject& self, const F& make) {
   return wrap(std::move(made));
 }
 
-/// Of 3 rows of 3 numbers, or of 4, or of these with (0, 0, 0, 1) below.
-AffineMap affine_map(nb::handle matrix) {
+/// Of 3 rows of 3 numbers, or of 4, or of 4 rows of 4.
+AffineMap map_of_rows(nb::handle matrix) {
   const nb::object rows = listed(matrix, "matrix", "a list of rows");
   const std::size_t count = nb::len(rows);
-  const char* wanted = "3 rows of 3 or 4 numbers are wanted, or 4 rows of 4";
-  if (count != 3 && count != 4) refuse("matrix", wanted, matrix);
-  AffineMap map;
-  for (std::size_t row = 0; row < count; ++row) {
-    const std::string place = "matrix[" + std::to_string(row) + "]";
-    const auto numbers = rationals(rows[row], place);
-    if (numbers.size() != 4 && !(numbers.size() == 3 && count == 3))
-      refuse("matrix", wanted, matrix);
-    if (row == 3) {
-      if (numbers != std::vector<Rational>{0, 0, 0, 1})
-        refuse(place, "the last row is 0, 0, 0, 1", rows[row]);
-      break;
-    }
-    for (std::size_t k = 0; k < 3; ++k) map.columns[k][row] = numbers[k];
-    if (numbers.size() == 4) map.shift[row] = numbers[3];
+  std::vector<Rational> numbers;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto row = rationals(rows[k], "matrix[" + std::to_string(k) + "]");
+    if (row.size() != 4 && !(row.size() == 3 && count == 3))
+      refuse("matrix", "3 rows of 3 or 4 numbers are wanted, or 4 rows of 4", matrix);
+    numbers.insert(numbers.end(), row.begin(), row.end());
   }
-  return map;
+  return at_place("matrix", [&] { return affine_map(numbers); });
 }
 
 /// A tuple of the parts from each of these places to the next.
@@ -149,7 +140,7 @@ void bind_transformations(PathClass& path) {
           "transformed",
           [](const PathObject& self, nb::handle matrix) {
             TransformQuery query;
-            query.map = affine_map(matrix);
+            query.map = map_of_rows(matrix);
             NamedPath made = at_place("matrix", [&] {
               return without_gil(
                   [named = self.named, query] { return answer(named, query).front(); });

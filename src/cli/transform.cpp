@@ -39,23 +39,6 @@ AffineMap rotation(const std::string& text) {
       {}};
 }
 
-/// By rows: 9 numbers of M, 12 of M and v, or 16 with 0, 0, 0, 1 below.
-AffineMap matrix(const std::string& text) {
-  const std::vector<Rational> m = parse_list_option("--matrix", {text});
-  if (m.size() != 9 && m.size() != 12 && m.size() != 16)
-    throw InputError("--matrix", std::to_string(m.size()) +
-                                     " numbers are no matrix: 9, 12 or 16 are, row by row");
-  const std::size_t width = m.size() == 9 ? 3 : 4;
-  if (m.size() == 16 && !(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1))
-    throw InputError("--matrix", "the last row is not 0,0,0,1");
-  AffineMap map;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t k = 0; k < 3; ++k) map.columns[k][row] = m[width * row + k];
-    if (width == 4) map.shift[row] = m[width * row + 3];
-  }
-  return map;
-}
-
 AffineMap asked_map(const TransformOptions& options) {
   AffineMap map;
   if (options.scale) {
@@ -64,7 +47,10 @@ AffineMap asked_map(const TransformOptions& options) {
     for (std::size_t k = 0; k < 3; ++k) map.columns[k][k] = factor;
   }
   if (options.rotate) map = composed(map, rotation(*options.rotate));
-  if (options.matrix) map = composed(map, matrix(*options.matrix));
+  if (options.matrix)
+    map = composed(map, at_option("--matrix", [&] {
+                     return affine_map(parse_list_option("--matrix", {*options.matrix}));
+                   }));
   if (options.move) map.shift = map.shift + parse_vector_option("--move", *options.move);
   return map;
 }

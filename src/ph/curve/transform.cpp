@@ -2,6 +2,8 @@
 // (UA)*.
 #include "phrame/ph/curve/transform.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/algebra/as_written.hpp"
@@ -179,6 +181,21 @@ Path rotated(const Path& path, const RationalQuaternion& u) {
 
 Vector<Rational> AffineMap::operator()(const Vector<Rational>& r) const {
   return product(columns, r) + shift;
+}
+
+AffineMap affine_map(const std::vector<Rational>& rows) {
+  const std::size_t size = rows.size();
+  if (size != 9 && size != 12 && size != 16)
+    throw DomainError(fmt::format("{} numbers are no matrix: 9, 12 or 16 are, row by row", size));
+  const std::size_t width = size == 9 ? 3 : 4;
+  if (size == 16 && std::vector(rows.begin() + 12, rows.end()) != std::vector<Rational>{0, 0, 0, 1})
+    throw DomainError("the last row of the matrix is not 0, 0, 0, 1");
+  AffineMap map;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t k = 0; k < 3; ++k) map.columns[k][row] = rows[width * row + k];
+    if (width == 4) map.shift[row] = rows[width * row + 3];
+  }
+  return map;
 }
 
 AffineMap composed(const AffineMap& first, const AffineMap& second) {

@@ -42,6 +42,9 @@ struct PHRAME_API AffineMap {
   Vector<Rational> operator()(const Vector<Rational>& r) const;
   friend bool operator==(const AffineMap&, const AffineMap&) = default;
 };
+/// Of a matrix by rows: 9 numbers of M, 12 of M and v, or 16, the last row being 0, 0, 0, 1. Throws
+/// DomainError for others.
+PHRAME_API AffineMap affine_map(const std::vector<Rational>& rows);
 /// First the one, then the other.
 PHRAME_API AffineMap composed(const AffineMap& first, const AffineMap& second);
 

@@ -284,6 +284,17 @@ TEST_CASE(
   CHECK_THROWS_AS(transformed(line, maps.back().first), DomainError);
 }
 
+TEST_CASE("transform: a map by the rows of its matrix") {
+  const Vector<Rational> r{1, 10, 100};
+  const std::vector<Rational> three{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  const std::vector<Rational> four{1, 2, 3, -1, 4, 5, 6, -2, 7, 8, 9, -3, 0, 0, 0, 1};
+  CHECK(affine_map(three)(r) == Vector<Rational>{321, 654, 987});
+  CHECK(affine_map(four)(r) == Vector<Rational>{320, 652, 984});
+  CHECK(affine_map({four.begin(), four.begin() + 12}) == affine_map(four));
+  CHECK_THROWS_AS(affine_map({four.begin(), four.begin() + 10}), DomainError);
+  CHECK_THROWS_AS(affine_map(std::vector<Rational>(16, 1)), DomainError);
+}
+
 TEST_CASE("transform: a curve that goes on has parts before and behind [0, 1], too") {
   const Curve curve({{1}, {}, {}, {0, 1}});
   CHECK(segment(Path(curve), -1, 3) == Path(segment(curve, -1, 3)));
