@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/fixed_point.hpp"
 
 namespace phrame::inline v0 {

@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/export.hpp"
 
 namespace phrame::inline v0 {
+
+struct NearNumber;
 
 /// The precision at which Ziv's loop gives up: factor · (bits of the result + bits that the number
 /// was made from) + offset. It never gives up on a number that is known to be irrational.

@@ -9,7 +9,7 @@ namespace phrame::inline v0 {
 /// that nothing takes it for an answer and tries another way.
 class PHRAME_API Stopped : public std::exception {
  public:
-  const char* what() const noexcept override;
+  const char* what() const noexcept override;  ///< "the time is over"
 };
 
 /// Limits what this thread computes while the object lives to so many seconds, > 0. After that
@@ -18,7 +18,7 @@ class PHRAME_API Stopped : public std::exception {
 /// one of these.
 class PHRAME_API TimeLimit {
  public:
-  explicit TimeLimit(double seconds);
+  explicit TimeLimit(double seconds);  ///< which begin now
   ~TimeLimit();
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;

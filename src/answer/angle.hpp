@@ -47,12 +47,12 @@ struct AngleValue {
   std::optional<std::variant<Rational, Decimal>> asked = {};
 };
 
-/// What is asked of θ: values of t, or of `by`, and so many samples, with so many digits.
+/// What is asked of θ.
 struct AngleValuesQuery {
-  const std::vector<Rational>& at;
-  ParameterKind by;
-  long samples;
-  long digits;
+  const std::vector<Rational>& at;  ///< where
+  ParameterKind by;                 ///< the parameter that `at` has values of
+  long samples;                     ///< and at so many places, equally spaced; 0, or 2 and more
+  long digits;                      ///< significant ones, ≥ 1
 };
 /// θ there, each rounded by decimal(θ, "theta at t = 1/2").
 PHRAME_API std::vector<AngleValue> angle_values(

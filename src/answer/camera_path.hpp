@@ -13,10 +13,11 @@ struct CameraPath {
   std::vector<double> times;                     ///< in seconds from 0, ascending
   std::vector<Vector<double>> places;            ///< r
   std::vector<std::array<double, 4>> rotations;  ///< unit quaternions (x, y, z, w), as of a table
-  /// Where the frame starts, and v where an angle there is to the frame of v; of a
+  /// @{ Where the frame starts, and v where an angle there is to the frame of v; of a
   /// rotation-minimizing frame only.
   std::optional<FrameStart> start = {};
   std::optional<Vector<Rational>> up = {};
+  /// @}
   Vector<double> origin = {};  ///< near the places, so that floats hold r − origin well
 };
 

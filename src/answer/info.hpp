@@ -63,12 +63,12 @@ struct InfoAnswer {
   std::optional<std::array<std::array<Decimal, 2>, 3>> box = {};  ///< of x, y, z from and to
   /// The nearest point.
   struct Nearest {
-    Vector<Rational> to;  ///< as asked
-    Decimal t;            ///< the parameter there
-    Vector<Decimal> point;
-    Decimal distance;
+    Vector<Rational> to;    ///< as asked
+    Decimal t;              ///< the parameter there
+    Vector<Decimal> point;  ///< of the path
+    Decimal distance;       ///< between the two
   };
-  std::optional<Nearest> nearest = {};
+  std::optional<Nearest> nearest = {};  ///< to the point of the query
 };
 
 /// Throws Undecided, with the name of what it is, where a number cannot be rounded.

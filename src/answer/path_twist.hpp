@@ -20,8 +20,8 @@ struct PathTwistQuery {
 struct PathTwistAnswer {
   /// From one orientation to the next.
   struct Leg {
-    std::size_t from;  ///< the joints where it starts and ends
-    std::size_t to;
+    std::size_t from;       ///< the joint where it starts
+    std::size_t to;         ///< and where it ends
     Decimal length;         ///< S
     Decimal twist;          ///< T
     Decimal rate_at_start;  ///< ω there

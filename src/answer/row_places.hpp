@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_length.hpp"
 

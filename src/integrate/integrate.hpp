@@ -17,8 +17,8 @@ enum class Form {
 /// f = F′ + rest, F without logarithms; rest is proper and has a squarefree denominator, so that
 /// the integral of f is F and logarithms.
 struct AlgebraicPart {
-  Antiderivative F;
-  RationalFunction rest;
+  Antiderivative F;       ///< a polynomial and a proper fraction
+  RationalFunction rest;  ///< of which the integral is logarithms only
 };
 
 /// By division and Hermite's reduction: nothing is factored, and no form of the logarithms chosen.

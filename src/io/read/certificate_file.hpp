@@ -9,7 +9,7 @@ namespace phrame::inline v0 {
 
 /// What is refused because it would take too long.
 struct CertificateLimits {
-  CurveLimits curve = {};
+  CurveLimits curve = {};  ///< of its curve
   bool is_limited = true;  ///< are those refused that may take more work than the page says?
 };
 

@@ -28,10 +28,11 @@ struct PHRAME_API FileReading {
 
   /// Has nothing of this been asked for?
   bool is_plain() const { return !skips_invalid && pick.empty() && kind.empty(); }
-  /// Throws InputError, its place the option of the program, for what means nothing in a file that
-  /// is this, "an SVG file", whose points or curves it is not about.
+  /// @{ Throws InputError, its place the option of the program, where rows are to be skipped, or a
+  /// curve is to be picked, in a file that has none: `what`, "an SVG file".
   void refuse_skipping(std::string_view what) const;
   void refuse_picking(std::string_view what) const;
+  /// @}
 };
 
 /// FileReading::beside of a file with this path: reads those in its folder. Throws InputError, its

@@ -10,10 +10,10 @@ struct PathExtreme {
   Real value;  ///< exact where that is seen to be rational
 };
 
-/// The least and the greatest value of a coordinate.
+/// Between what values a coordinate is.
 struct PathRange {
-  PathExtreme least;
-  PathExtreme greatest;
+  PathExtreme least;     ///< where it is least
+  PathExtreme greatest;  ///< where it is greatest
 };
 
 /// The box around a path: of x, y and z where they are least and greatest, at ends of segments and

@@ -11,10 +11,10 @@ namespace phrame::inline v0 {
 /// An angle along a path, by which a frame is turned about e₁ beside how it is else.
 class PHRAME_API Roll {
  public:
-  /// π·half_turns + radians, by the parameter of the path.
+  /// The angle π·half_turns + radians.
   struct Piece {
-    RationalFunction half_turns;
-    RationalFunction radians;
+    RationalFunction half_turns;  ///< a function of the parameter of the path
+    RationalFunction radians;     ///< likewise
   };
 
   Roll() : Roll(Piece{}) {}  ///< 0

@@ -28,6 +28,7 @@ class PHRAME_API PhSegment {
   /// The same with A·j and −f, whose e₁ is reversed.
   PhSegment turned_over() const { return PhSegment(phrame::turned_over(curve())); }
 
+  /// Have they the same preimage, multiplier and start?
   friend bool operator==(const PhSegment& a, const PhSegment& b) { return a.curve() == b.curve(); }
 
  private:
