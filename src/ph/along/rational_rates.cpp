@@ -2,6 +2,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
+#include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 // |v × H|² = |v|²σ − (v·H)². Where H × H′ = g·B with a real polynomial g and B ≠ 0, the Frenet
@@ -25,7 +26,7 @@ RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>
   const Vector<Polynomial>& H = curve.direction();
   const Vector<Polynomial> across{v[1] * H[2] - v[2] * H[1], v[2] * H[0] - v[0] * H[2],
                                   v[0] * H[1] - v[1] * H[0]};
-  const Polynomial along = v[0] * H[0] + v[1] * H[1] + v[2] * H[2];
+  const Polynomial along = dot(v, H);
   return {-along * dot(across, differentiate(H)), squared_size(across), squared_size(H)};
 }
 

@@ -61,12 +61,18 @@ TotalRate oriented(RationalFunction rate, const Polynomial& orientation,
   return {std::move(rate), orientation, std::move(known), std::move(denominator)};
 }
 
-/// As integrate() has it: f and f − known′ have antiderivatives with the same logarithms.
-Antiderivative integrate(const TotalRate& of) {
-  if (of.known.is_zero()) return integrate(of.rate);
-  Antiderivative F = integrate(of.rate - differentiate(of.known));
+/// The rate without what is known of its integral, which is no logarithm.
+RationalFunction unknown_rate(const TotalRate& of) {
+  return of.known.is_zero() ? of.rate : of.rate - differentiate(of.known);
+}
+
+Antiderivative with_known(Antiderivative F, const TotalRate& of) {
   F.rational = F.rational + of.known;
   return F;
+}
+
+Antiderivative integrate(const TotalRate& of) {
+  return with_known(integrate(unknown_rate(of)), of);
 }
 
 CurveTotal total(const TotalRate& of, const Rational& radicand = 1) {
@@ -173,9 +179,7 @@ std::optional<Real> value_without_closed_form(const TotalRate& of) {
 }
 
 Rational without_logarithms(const TotalRate& of) {
-  Antiderivative F =
-      algebraic_part(of.known.is_zero() ? of.rate : of.rate - differentiate(of.known)).F;
-  F.rational = F.rational + of.known;
+  const Antiderivative F = with_known(algebraic_part(unknown_rate(of)).F, of);
   return difference_without_logarithms(F, 0, 1);
 }
 

@@ -115,7 +115,7 @@ std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph
   if (f.coefficient(order) < 0) f = -std::move(f);
   Vector<Polynomial> c;
   for (std::size_t k = 0; k < 3; ++k) c[k] = Rational(1 / number) * exact_quotient(hodograph[k], f);
-  const Polynomial n = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+  const Polynomial n = dot(c, c);
   const auto speed = square_root(n);
   if (!speed) return reason(n);
 

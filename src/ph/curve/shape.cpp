@@ -18,10 +18,6 @@ Vector<Rational> primitive(const Vector<Rational>& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
-Rational squared_length(const Vector<Rational>& v) {
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-}
-
 /// x, y, z and σ of the preimages, those of all in one polynomial each, one behind the other: the
 /// relations that they have in common are relations of these.
 std::vector<Polynomial> coordinates(const std::vector<QuaternionPolynomial>& preimages) {
@@ -72,7 +68,7 @@ std::optional<ConstantAngle> constant_angle(const std::vector<QuaternionPolynomi
   const Vector<Rational> direction{-r[0], -r[1], -r[2]};
   ConstantAngle result;
   result.axis = primitive(direction);
-  result.cosine_squared = 1 / squared_length(direction);
+  result.cosine_squared = 1 / dot(direction, direction);
   for (std::size_t k = 0; k < 3; ++k)
     if (direction[k] != 0) result.constant = result.axis[k] / direction[k];
   return result;
