@@ -23,14 +23,14 @@
 namespace phrame::inline v0::cli {
 namespace {
 
-/// What is read by `read(text, options)` of the file.
+/// read(text, options) of the file; its errors name the file.
 template <class Read>
 auto read_by(Read read, const CurveOptions& options) {
   const std::string text = read_file(options.path);
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options); });
 }
 
-/// Of text or JSON.
+/// Reads a path of any format from text or JSON.
 template <class Source>
 NamedPath read_any(const Source& source, const CurveOptions& options) {
   CurveLimits limits = options.limits;
@@ -45,7 +45,7 @@ NamedCurve read_one_curve(std::string_view text, const CurveOptions& options) {
   return phrame::read_curve(text, options.limits);
 }
 
-/// Where it is not in a file: that of an exchange; else null.
+/// The path of an exchange, where `file` names one instead of a file; else null.
 const NamedPath* given_path(const std::string& file, const FileReading& reading) {
   const auto* path = Exchange::content<NamedPath>(file);
   if (path == nullptr) return nullptr;
@@ -59,8 +59,8 @@ NamedPhPath ph_path_of(const NamedPath& named) {
   throw InputError("", fmt::format("this command {}", needs_ph(named.path)));
 }
 
-/// A PH path of a file in any format. What is said of a file in another one than curve/1 and
-/// spline/1 that is read as no PH path is that it is none; of all else, why it is not read.
+/// A PH path of a file in any format. A file in another format than curve/1 and spline/1 that holds
+/// another path is refused since that is not PH; all else for the reason why it cannot be read.
 NamedPhPath read_ph_path(std::string_view text, const CurveOptions& options) {
   if (!options.reading.is_plain()) return ph_path_of(read_any(text, options));
   try {
@@ -78,7 +78,7 @@ NamedPhPath read_ph_path(std::string_view text, const CurveOptions& options) {
   }
 }
 
-/// Of one polynomial curve, so far.
+/// The PH curve nearby to suggest; so far for a single polynomial curve only.
 std::optional<NearSuggestion> suggestion_of(const Path& path) {
   if (is_straight(path)) return std::nullopt;  // any frame that does not turn is right
   const RationalCurve* curve = rational_curve(path.segments().front());
@@ -214,7 +214,7 @@ void CurveOptions::add_input_to(Command& command) {
 }
 
 NamedCurve CurveOptions::read_curve() const {
-  // As a path it has e₁ = r′/|r′| at the start.
+  // As a path the curve has e₁ = r′/|r′| at the start.
   const NamedPhPath named = near || given_path(path, reading) || !reading.is_plain()
                                 ? read_path()
                                 : NamedPhPath(read_by(read_one_curve, *this));

@@ -32,7 +32,7 @@ struct FramesOptions {
   bool skips_undefined = false;
   std::optional<std::string> duration;  ///< of a camera path, in seconds
   std::string fps = "24";               ///< frames a second, in Blender
-  std::optional<std::string> feed;      ///< of the motion at whose times the rows are
+  std::optional<std::string> feed;      ///< the motion, where rows are at times of one
 };
 
 const std::vector<std::string>& camera_formats() {
@@ -41,17 +41,18 @@ const std::vector<std::string>& camera_formats() {
   return formats;
 }
 
-/// Which segment a corner belongs to.
+/// Which frames a row at a corner has: those of the segment before it, behind it, or both rows.
 enum class Side { left, right, both };
 
 /// The rows of a table.
 struct AskedRows {
   RowPlaces places;
-  /// What they were asked for by, where that is neither t nor the arc length, which have a column.
+  /// The values of the parameter that they were asked for by; empty for t and the arc length, which
+  /// have a column anyway.
   std::vector<Real> values = {};
 };
 
-/// With the sides of corners that are asked for.
+/// The rows with those at corners replaced, or doubled, as `side` asks for.
 AskedRows with_sides(const AskedRows& of, const Path& path, Side side) {
   if (side == Side::right) return of;
   if (path.corners().empty()) throw InputError("--side", "the path has no corner at a joint");
@@ -70,7 +71,8 @@ AskedRows with_sides(const AskedRows& of, const Path& path, Side side) {
           std::move(values)};
 }
 
-/// A fraction that rounds as it does, but next to a tie.
+/// x, or a fraction within 2^−192 of its size, which rounds to the same double unless x is as near
+/// to a tie.
 Rational approximated(const Real& x) { return x.exact() ? *x.exact() : x.enclose(192).midpoint(); }
 
 const Names<TabulatedFrame>& frame_names() {
@@ -81,7 +83,7 @@ const Names<TabulatedFrame>& frame_names() {
   return names;
 }
 
-/// Those without scalars are of the frames.
+/// The names of columns with the scalars they are; those without scalars are columns of frames.
 const Names<std::vector<TabulatedScalar>>& column_names() {
   using enum TabulatedScalar;
   static const Names<std::vector<TabulatedScalar>> names{
@@ -121,9 +123,9 @@ bool has_twist_frames(const TableColumns& columns) {
   return has_frame(columns, TabulatedFrame::mtf) || has_frame(columns, TabulatedFrame::exact_mtf);
 }
 
-/// Adds the frames of minimal twist that there are columns for: through the orientations that come
-/// with the path, unless others are asked for. The angles at their ends are those to the
-/// Euler–Rodrigues frame where the rational one is among them, of which it is a turn.
+/// Finds the frames of minimal twist that there are columns for: through the orientations that come
+/// with the path, unless other ends are asked for. The rational one is the Euler–Rodrigues frame,
+/// turned; so where it is asked for the angles at the ends are those to that frame.
 void add_twist_frames(TableColumns& columns, const FramesOptions& asked, const NamedPath& named,
                       const PathAngle& angle) {
   const TwistOptions& options = asked.twist;
@@ -164,7 +166,7 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
     throw InputError("--frame", "\"mtf\" " + needs_ph(angle.path()));
 }
 
-/// Where a motion is at times.
+/// The rows at the times of a motion.
 AskedRows rows_at_times(const NamedPath& named, const FramesOptions& options) {
   if (!options.feed) throw InputError("--by", "\"time\" needs --feed");
   if (options.twist.subdivide) throw InputError("--subdivide", "does not apply with --by time");
@@ -184,8 +186,8 @@ AskedRows rows_at_times(const NamedPath& named, const FramesOptions& options) {
   return {RowPlaces(std::move(at), std::move(times)), std::move(values)};
 }
 
-/// Where the rows are, in the parameter that is asked for. A frame of minimal twist ends with the
-/// curve.
+/// The rows in the parameter that is asked for. A frame of minimal twist ends with the curve, so
+/// that there are no rows outside of it where `ends`.
 AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& options) {
   if (options.parameters.are_times()) return rows_at_times(named, options);
   const Path& path = named.path;
@@ -218,12 +220,12 @@ AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& opt
   return {RowPlaces(std::move(at), std::move(numbers)), std::move(values)};
 }
 
-/// What is done with a table of a path.
+/// What a table of a path is written with.
 struct TableUse {
   const NamedPath& named;
   FrameRows& rows;
   const AskedRows& asked;
-  std::string column;  ///< of what the rows were asked for by
+  std::string column;  ///< the name of the one with the parameter that rows were asked for by
 };
 
 /// Reads the path and gives its table to `use`.

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-// As the page says.
+// The limits of docs/certificate.md.
 constexpr long most_count = 1'000'000;
 constexpr long greatest_exponent = 10'000;
 constexpr long most_work = 2'000'000'000;
@@ -49,7 +49,7 @@ bool is_decimal(std::string_view& text) {
   return take_digits(rest) && rest.empty();
 }
 
-/// A JSON number, an integer in a range of machine words.
+/// A JSON number, an integer in {least, …, largest}.
 long read_count(const JsonNode& node, long least, long largest) {
   node.require(Kind::number, "an integer without quotes");
   if (node.text().find_first_not_of("-0123456789") != std::string::npos)
@@ -60,7 +60,7 @@ long read_count(const JsonNode& node, long least, long largest) {
   return static_cast<long>(n);
 }
 
-/// The items of an array, each read.
+/// read(item) for each item of an array.
 template <class Read>
 auto read_list(const JsonNode& node, Read read) {
   node.require(Kind::array, "an array");
@@ -100,7 +100,7 @@ AngleClaim read_claim(const JsonNode& node) {
   return claim;
 }
 
-/// The answer to a question whose witness, under `keys`, is there where it is yes.
+/// The answer to a question. Where it is yes the witness stands beside it, under `keys`.
 bool read_answer(const JsonNode& node, std::vector<std::string_view> keys) {
   const bool answer = node.at("answer").boolean();
   if (!answer) keys.clear();
@@ -118,10 +118,11 @@ long written_bits(const Polynomial& p) {
   return bits;
 }
 
-/// Reads what follows the curve, and sums up the work of checking it, in the units of the page.
+/// Reads what follows the curve, and adds up the work of checking it, in units of
+/// docs/certificate.md.
 class CertificateReader {
  public:
-  /// Of the curve, whose lists of coefficients say how long the others may be.
+  /// The lists of coefficients of the curve say how long the other ones may be.
   CertificateReader(const JsonNode& curve, const CurveLimits& limits)
       : most_(limits.max_degree + 1) {
     curve.require_known_keys(
@@ -275,7 +276,7 @@ class CertificateReader {
   }
 
  private:
-  /// Of the numerator and the denominator.
+  /// The bits of numerator and denominator.
   static long size(const Rational& x) {
     return bit_length(numerator(x)) + bit_length(denominator(x));
   }
@@ -312,8 +313,8 @@ class CertificateReader {
 
   std::string name_;
   std::optional<Curve> curve_;
-  long most_;         ///< coefficients in a list
-  long longest_ = 0;  ///< D of the page
+  long most_;         ///< coefficients that a list may have
+  long longest_ = 0;  ///< D of docs/certificate.md
   long bits_ = 1;     ///< of the curve
   long discs_ = 0;
   long sums_ = 0;

@@ -201,7 +201,7 @@ CurvePieces light_polyline_of(const DxfEntity& entity) {
                          sense_of(entity));
 }
 
-/// Of POLYLINE, whose vertices are entities behind it.
+/// A POLYLINE; its vertices are the entities behind it.
 CurvePieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices) {
   const long flags = entity.flags(70);
   if ((flags & (16 | 64)) != 0) entity.fail("a mesh is no curve");
@@ -215,7 +215,7 @@ CurvePieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity
   return is_of_space ? pieces : mirrored_pieces(std::move(pieces), sense_of(entity));
 }
 
-/// With the knots where the pieces begin, and the last.
+/// A SPLINE; `knots` becomes those where the pieces begin, and the last one.
 CurvePieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
                       std::vector<Rational>& knots) {
   BSpline spline;

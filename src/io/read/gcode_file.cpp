@@ -72,7 +72,7 @@ GcodeBlock read_block(std::string_view line, long number) {
 /// G17, G18 and G19: the axes of the plane and the one across.
 constexpr std::array<std::array<std::size_t, 3>, 3> arc_planes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
 
-/// Moves between two rapid ones: those segments of the program, and the lines they are from.
+/// The moves between two rapid ones: segments begin … end − 1, and the lines they stand in.
 struct GcodeRun {
   std::size_t begin;
   std::size_t end;
@@ -113,7 +113,7 @@ class GcodeProgram {
   explicit GcodeProgram(std::string_view text);
 
   std::vector<GivenSegment> segments;      ///< of all moves
-  std::vector<GcodeRun> runs;              ///< of other moves than rapid ones
+  std::vector<GcodeRun> runs;              ///< between rapid moves
   std::vector<std::string> notes() const;  ///< what was assumed
 
  private:
@@ -140,11 +140,11 @@ class GcodeProgram {
   Vector<Rational> here_;
   std::array<bool, 3> is_known_{};
   std::array<bool, 3> is_used_{};
-  std::optional<Rational> unit_;  ///< 1 or 254/10 times that of the program
+  std::optional<Rational> unit_;  ///< in millimetres: 254/10 (G20) or 1 (G21)
   bool is_in_run_ = false;
   long rapid_moves_ = 0;
   long lifted_arcs_ = 0;
-  Rational off_center_;  ///< the greatest of arcs
+  Rational off_center_;  ///< how far ends of arcs are off their circles, at most
   bool has_rotary_ = false;
 };
 

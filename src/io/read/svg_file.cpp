@@ -22,7 +22,7 @@ PlaneVector mapped_vector(const PlaneMap& map, const PlaneVector& v) {
   return {v[0] * map.a[0] + v[1] * map.b[0], v[0] * map.a[1] + v[1] * map.b[1]};
 }
 
-/// First the inner one.
+/// First the inner map, then the outer one.
 PlaneMap composed(const PlaneMap& outer, const PlaneMap& inner) {
   const PlaneVector moved = mapped_vector(outer, inner.offset);
   return {mapped_vector(outer, inner.a),
@@ -67,7 +67,7 @@ PlaneMap read_transform_function(SvgNumbers& in) {
                          abbreviated(name), n == 1 ? "1 number" : fmt::format("{} numbers", n)));
 }
 
-/// The outer map after those that the attribute names. With each turn its numbers get longer.
+/// `map` after the maps that the attribute lists. With each rotation the numbers get longer.
 PlaneMap read_transform(PlaneMap map, std::string_view text, const SvgAttribute& attribute) {
   SvgNumbers in(text.substr(0, attribute.end), attribute.begin);
   while (!in.at_end()) {
@@ -84,7 +84,8 @@ PlaneMap read_transform(PlaneMap map, std::string_view text, const SvgAttribute&
 
 using SvgAttributeList = std::vector<std::pair<std::string_view, SvgAttribute>>;
 
-/// An element with its attributes. Those behind it up to `end` are within it.
+/// An element with its attributes. The elements behind it in the list, up to number `end`, are
+/// inside it.
 struct SvgElement {
   std::string_view name;
   SvgAttributeList attributes;
@@ -98,12 +99,12 @@ struct SvgElement {
   }
 };
 
-/// Without a prefix, as that of svg:path.
+/// The name without its prefix: path of svg:path.
 std::string_view local_name(std::string_view name) {
   return name.substr(name.rfind(':') == std::string_view::npos ? 0 : name.rfind(':') + 1);
 }
 
-/// Reads tags, and nothing of the text between them.
+/// Reads the tags of a file; the text between them is skipped.
 class SvgReader {
  public:
   explicit SvgReader(std::string_view text) : text_(text) {}
@@ -215,15 +216,16 @@ void SvgReader::read_element() {
   }
 }
 
-/// A path or a shape.
+/// A path or a shape that is drawn.
 struct SvgDrawn {
   const SvgElement* element;
   PlaneMap map;
-  std::vector<const SvgElement*> uses = {};  ///< by which it is drawn, from the outermost
-  bool is_target = false;                    ///< is it what the last of these refers to?
+  std::vector<const SvgElement*> uses = {};  ///< the <use> elements around it, outermost first
+  bool is_target = false;  ///< does the last of these refer to it, not to a group around it?
 };
 
-/// Where the elements of a file are drawn, <use> followed [SVG 2, 5.5, 7.8 and 8.2].
+/// The paths and shapes of a file with the maps that place them; <use> is followed [SVG 2, 5.5, 7.8
+/// and 8.2].
 class SvgDrawing {
  public:
   explicit SvgDrawing(std::string_view text) : text_(text), elements_(SvgReader(text).read()) {
@@ -248,20 +250,20 @@ class SvgDrawing {
   }
 
  private:
-  /// Width and height of what percentages are of.
+  /// The width and height that percentages refer to.
   using Size = std::optional<PlaneVector>;
 
   [[noreturn]] void fail(std::size_t at, const std::string& reason) const {
     throw InputError(line_and_column(text_, at + 1), reason);
   }
   Size outer_size(const SvgElement& root) const;
-  /// `use` draws it, where it is what that refers to.
+  /// `use` is the <use> that refers to the element, if one does.
   void draw(const SvgElement& element, PlaneMap map, Size size, const SvgElement* use = nullptr);
   void draw_used(const SvgElement& use, const PlaneMap& map, const Size& size);
-  /// `whole` is what percentages are of.
+  /// `whole` is 100 %.
   std::optional<Rational> length(const SvgElement& element, std::string_view name,
                                  const std::optional<Rational>& whole) const;
-  /// Moved by the x and y of the element.
+  /// The map behind a shift by the x and y of the element.
   PlaneMap placed(const SvgElement& element, const PlaneMap& map, const Size& size) const;
   /// The numbers of its viewBox, where it has one.
   std::optional<std::array<Rational, 4>> view_box(const SvgElement& element) const;
@@ -271,21 +273,21 @@ class SvgDrawing {
   std::string_view text_;
   std::vector<SvgElement> elements_;
   std::map<std::string_view, const SvgElement*> by_id_;
-  std::vector<const SvgElement*> uses_;     ///< that are being followed
-  std::optional<std::string_view> lost_{};  ///< what a <use> refers to that is not there
+  std::vector<const SvgElement*> uses_;     ///< the <use> elements that are being followed
+  std::optional<std::string_view> lost_{};  ///< an id that a <use> refers to and no element has
   const SvgElement* root_ = nullptr;        ///< the outermost <svg>
-  std::size_t visited_ = 0;                 ///< by <use>
+  std::size_t visited_ = 0;                 ///< elements drawn by <use>
   std::vector<SvgDrawn> drawn_;
 };
 
-/// That of its viewBox, which is not applied, or else what it says in px.
+/// The size of its viewBox, which is not applied, or else its width and height in px.
 SvgDrawing::Size SvgDrawing::outer_size(const SvgElement& root) const {
   try {
     if (const auto view = view_box(root)) return PlaneVector{(*view)[2], (*view)[3]};
     const auto width = length(root, "width", {}), height = length(root, "height", {});
     if (width && height) return PlaneVector{*width, *height};
   } catch (const InputError&) {
-    // What is in percent of it will say so.
+    // A length in percent of this will be refused.
   }
   return std::nullopt;
 }
@@ -401,7 +403,7 @@ void SvgDrawing::draw(const SvgElement& element, PlaneMap map, Size size, const 
   for (std::size_t k = first; k < element.end; k = elements_[k].end) draw(elements_[k], map, size);
 }
 
-/// Of a path all subpaths, or the only one.
+/// The outlines of a shape or of a path: all its subpaths, or the only one if `wants_one`.
 std::vector<std::vector<GivenSegment>> svg_outlines(std::string_view text, const SvgDrawn& drawn,
                                                     bool wants_one) {
   const SvgElement& element = *drawn.element;
@@ -418,7 +420,7 @@ std::vector<std::vector<GivenSegment>> svg_outlines(std::string_view text, const
   return read_subpaths(text, begin, end, drawn.map);
 }
 
-/// A shape without a size. What cannot be read is something.
+/// Is it a shape without a size? One that cannot be read is not.
 bool is_nothing(std::string_view text, const SvgDrawn& drawn) {
   if (local_name(drawn.element->name) == "path") return false;
   try {
@@ -428,7 +430,8 @@ bool is_nothing(std::string_view text, const SvgDrawn& drawn) {
   }
 }
 
-/// Its own, or that of the <use> that draws it; within what a <use> draws, behind the name of that.
+/// The label of the element, or of the <use> that draws it; of an element inside what a <use> draws
+/// both, that of the <use> first.
 CurveLabel svg_label(const SvgDrawing& drawing, const SvgDrawn& drawn) {
   const auto label_of = [&](const SvgElement& element) {
     CurveLabel label{std::string(drawing.said(element, "inkscape:label")),

@@ -35,17 +35,17 @@ namespace {
 
 constexpr long rational_bits = 256;
 
-/// The antiderivative of θ′; of the angle to the Euler–Rodrigues frame that to it.
+/// An antiderivative of θ′; of an angle to the Euler–Rodrigues frame angle_to_erf() is one.
 const Antiderivative& whole(const RmfAngle& angle) {
   return angle.bend() ? angle.antiderivative() : angle.angle_to_erf();
 }
 
-/// Of the angle at t, which begins at 0.
+/// θ(t) − θ(0) without its logarithms.
 Rational without_logarithms(const RmfAngle& angle, const Rational& t) {
   return difference_without_logarithms(angle.without_logarithms(), 0, t);
 }
 
-/// θ(t): at a rational number next to t, and from there θ′ on a ball that holds both.
+/// θ(t), by θ at a rational number m next to t, and θ′ on a ball that contains m and t.
 RealBall enclosed(const RmfAngle& angle, const Real& t, long bits) {
   if (t.exact()) return angle.enclose(*t.exact(), bits);
   const RealBall near = t.enclose(bits + 16);
@@ -66,7 +66,7 @@ struct PHRAME_INSIDE PathAngle::State {
   /// What an angle is measured from, and how its closed forms are written.
   struct Measure {
     Reference reference;
-    std::optional<Vector<Rational>> up;  ///< v, where it is the frame of one
+    std::optional<Vector<Rational>> up;  ///< v, where it is to the frame of v
     Form form = Form::automatic;
 
     RmfAngle along(const Curve& curve) const {
@@ -84,8 +84,8 @@ struct PHRAME_INSIDE PathAngle::State {
   Measure measure;
   std::vector<std::optional<RmfAngle>> closed_forms;    ///< of the segments that are PH curves
   Recent<SegmentIntegral> others{most_kept_integrals};  ///< of the others
-  std::size_t closed_segments = 0;  ///< so many PH curves come first, with no turn in between
-  std::map<std::size_t, Real> corner_turns{};  ///< by the segment that begins with the corner
+  std::size_t closed_segments = 0;  ///< PH curves that come first, without a turn between
+  std::map<std::size_t, Real> corner_turns{};  ///< for each segment that begins with a corner
   bool is_zero = true;
   Lazy<Vector<Rational>> chosen_up{};
   Lazy<PlaneTurns> plane_turns{};
@@ -95,20 +95,20 @@ struct PHRAME_INSIDE PathAngle::State {
   std::mutex sums_lock;
   std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
   std::mutex rational_sums_lock;
-  std::vector<RealBall> rational_sums{RealBall()};  ///< of these, what has no logarithm
+  std::vector<RealBall> rational_sums{RealBall()};  ///< the parts of these without logarithms
   std::mutex joints_lock;
   std::vector<Joint> joints{{}};  ///< with a rational θ, ascending
-  std::size_t joints_known = 0;   ///< up to there they are looked for
+  std::size_t joints_known = 0;   ///< joints beyond this one have not been tried yet
   std::mutex directions_lock;
-  /// Of θ(0), θ(1), …, as far as there are any.
+  /// The directions e^{iθ} at joints 0, 1, …, as far as they are in ℚ(i).
   std::vector<GaussianRational> directions{{1, 0}};
 
   State(const Path& along, Measure by);
   void find_corner_turns();
   bool is_normal_to_plane() const;
-  /// By what θ is greater behind the corner at the start of that segment.
+  /// By how much θ grows at the corner between these segments.
   Real corner_turn(std::size_t before, std::size_t after) const;
-  /// The same angle, whose values are found on this way.
+  /// The same angle, whose values are found by this route.
   State(const State& other, Route route);
 
   const RmfAngle* closed_form(std::size_t k) const {

@@ -19,13 +19,13 @@
 namespace phrame::inline v0 {
 namespace {
 
-/// Sections from start to end, and what the triangles between them are off.
+/// The sections from start to end, and bounds of how far the triangles between them are off.
 struct SectionList {
   std::vector<SweepSection> sections;
-  double joint_error = 0;  ///< where a mitre is taken for the sections on its sides
+  double joint_error = 0;  ///< where a mitre stands for the sections on both its sides
   double patch_error = 0;
   double normal_error = 0;
-  double rounding = 0;  ///< of corners
+  double rounding = 0;  ///< the greatest, of the corners of the sections
 
   void add(SweepSection next) {
     rounding = std::max(rounding, next.rounding);
@@ -44,17 +44,18 @@ class Tessellation {
         is_against_(direction_of_motion(path) < 0) {}
 
   bool is_against() const { return is_against_; }  ///< does the path go against e₁?
-  /// A line between mitres is one.
+  /// The parts of the path between sections; a line between two mitres is one part.
   SweepParts parts(double tolerance) const;
-  /// Finds how the sections at corners are joined: where the mitre is nearer than `within` to the
-  /// sections on its sides it stands for these.
+  /// Decides how the sections at corners are joined: a mitre that is nearer than `within` to the
+  /// sections on its sides replaces them.
   void join_corners(double within);
   /// Throws Undecided where a corner has facets that lead back into the body.
   void require_no_facets() const;
-  /// Between which triangles are within `tolerance` of their patches, and within the normals' one.
+  /// Sections so close that the triangles between them are within `tolerance` of their patches, and
+  /// their normals within the tolerance of normals.
   SectionList sections(const std::vector<SweepPart>& parts, double tolerance) const;
-  /// So many for an open path, one more for a closed one, but none on lines between mitres, and
-  /// those of corners.
+  /// So many equally spaced sections, one more for a closed path; beside them those of corners, and
+  /// none inside a line between two mitres.
   SectionList equal_sections(long wanted) const;
 
  private:
@@ -78,9 +79,9 @@ class Tessellation {
   SweepSections sections_;
   const SweepTurn& turn_;
   bool is_against_;
-  /// By the segments that begin with one: does the mitre stand for the sections beside it?
+  /// For each segment that begins with a corner: does the mitre replace the sections beside it?
   std::map<std::size_t, bool> corners_{};
-  std::vector<bool> between_mitres_{};  ///< of segments: are they lines from mitre to mitre?
+  std::vector<bool> between_mitres_{};  ///< for each segment: is it a line from mitre to mitre?
   double joint_error_ = 0;
 };
 
@@ -146,7 +147,7 @@ SweepParts Tessellation::parts(double tolerance) const {
   return found;
 }
 
-/// What comes behind the mitre at the start of a segment.
+/// Adds the section behind the mitre at the start of a segment, where there is one.
 void Tessellation::add_behind(SectionList& found, std::size_t segment) const {
   if (!has_section_behind(segment)) return;
   found.add(sections_.section(segment, 0));
@@ -157,7 +158,7 @@ SweepSection Tessellation::start() const {
   return has_corner(0) ? sections_.mitre(0) : sections_.section(0, 0);
 }
 
-/// The section at the end of a part. The last one of a closed path is the first again.
+/// The section at the end of a part. At the end of a closed path it is the first one again.
 SweepSection Tessellation::end_of(const SweepPart& part, const SweepSection& first) const {
   const std::size_t next = part.segment + 1;
   const bool is_end = part.to == 1 && (next < count() || path_.is_closed);
@@ -247,7 +248,7 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
   return found;
 }
 
-/// The rest of the corner behind the section where the segment before ends.
+/// Adds what is left of a corner, the section where the segment before it ends being there.
 void Tessellation::add_corner(SectionList& found, std::size_t segment) const {
   if (!has_corner(segment)) return;
   if (has_section_before(segment)) {
@@ -294,8 +295,8 @@ SectionList Tessellation::equal_sections(long wanted) const {
   return found;
 }
 
-/// The numbers of the points of rings, the points of each ring. At a corner a point that is on the
-/// axis of the turn is in several rings.
+/// Adds the points of the rings to the mesh, and returns their numbers, ring by ring. At a corner
+/// the rings share the points that lie on the axis of the turn.
 std::vector<std::uint32_t> ring_points(const std::vector<SweepSection>& sections, std::size_t rings,
                                        Mesh& mesh) {
   const std::size_t corners = sections.front().points.size();
@@ -321,7 +322,7 @@ std::vector<std::uint32_t> ring_points(const std::vector<SweepSection>& sections
   return numbers;
 }
 
-/// The last section, of a closed path, is the first again.
+/// The mesh through these sections. The last section of a closed path is the first one again.
 Mesh mesh_of(const std::vector<SweepSection>& sections, const Profile& profile, bool is_closed) {
   const std::size_t corners = profile.corners().size();
   const std::size_t rings = sections.size() - (is_closed ? 1 : 0);
@@ -349,7 +350,7 @@ Mesh mesh_of(const std::vector<SweepSection>& sections, const Profile& profile, 
   return mesh;
 }
 
-/// Of the sections of a mesh, the first ones.
+/// How many folds the first `count` sections have.
 long folds_of(const std::vector<SweepSection>& sections, std::size_t count) {
   long folds = 0;
   for (std::size_t n = 0; n < count; ++n) folds += sections[n].folds;
@@ -370,8 +371,8 @@ std::vector<Vector<double>> places_of(const SweepPath& path) {
   return places;
 }
 
-/// About what rounding of coordinates leaves of a tolerance, at least half of it: what it is in
-/// fact is seen of all points later.
+/// The tolerance less about what the rounding of coordinates takes, but at least half of it. The
+/// rounding that there is in fact is measured on all points later.
 double beside_rounding(double tolerance, const SweepPath& path, const SweepForm& form,
                        double scale) {
   const Vector<double> origin = round_to_double(*form.origin);
@@ -385,7 +386,7 @@ double beside_rounding(double tolerance, const SweepPath& path, const SweepForm&
                   tolerance - 1.1 * unit * (greatest + form.profile.reach() * scale));
 }
 
-/// Of the mesh beside its points: what is within the tolerance, and the bounds.
+/// The sections of a mesh within the tolerance; sets the bounds of the body, but for rounding.
 SectionList within(Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
                    double scale, SweptBody& body) {
   const double all = round_to_double(std::get<Rational>(form.tolerance_or_sections)) / sweep_slack;
@@ -406,7 +407,7 @@ SectionList within(Tessellation& tessellation, const SweepPath& path, const Swee
   return found;
 }
 
-/// At some t on all segments.
+/// Calls visit(motion) at 65 equally spaced t of each segment.
 template <class Visit>
 void visit_motions(const SweepPath& path, const SweepSections& sections, Visit visit) {
   constexpr double steps = 64;
@@ -414,8 +415,8 @@ void visit_motions(const SweepPath& path, const SweepSections& sections, Visit v
     for (double k = 0; k <= steps; ++k) visit(sections.motion(segment, k / steps));
 }
 
-/// Where the profile turns or grows the normal of the surface turns along a side: so many pieces
-/// of each are enough for the tolerance, by some sections. What is enough is seen of all later.
+/// Where the profile turns or grows, the normal of the surface turns along a side. Divides the
+/// sides into as many pieces as the tolerance needs at some sections; all are checked later.
 Profile profile_for_normals(const SweepPath& path, const SweepForm& form, const SweepTurn& turn) {
   if (!form.normal_tolerance || (turn.is_zero() && form.scale.is_constant())) return form.profile;
   const SweepSections sections(path, form, turn);
@@ -484,7 +485,7 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   SweptBody body;
   SectionList found;
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
-    tessellation.parts(HUGE_VAL);  // it does not turn back
+    tessellation.parts(HUGE_VAL);  // throws where the path turns back
     tessellation.join_corners(1e-6 * swept.profile.reach() * scale);
     found = tessellation.equal_sections(*count);
   } else {
