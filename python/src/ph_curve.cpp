@@ -80,7 +80,11 @@ AffineMap map_of_rows(nb::handle matrix) {
       refuse("matrix", "3 rows of 3 or 4 numbers are wanted, or 4 rows of 4", matrix);
     numbers.insert(numbers.end(), row.begin(), row.end());
   }
-  return at_place("matrix", [&] { return affine_map(numbers); });
+  try {
+    return affine_map(numbers);
+  } catch (const DomainError& error) {
+    refuse("matrix", error.what(), matrix);
+  }
 }
 
 /// A tuple of the parts from each of these places to the next.
