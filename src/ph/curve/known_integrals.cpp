@@ -11,14 +11,16 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/gauss_rule.hpp"
 
-// With |y_z| ≤ M on |z| ≤ r, the coefficients of its Taylor series are at most M/rᵏ, so that the
-// integral of what is left out is at most M/rⁿ · Σ r⁻ᵏ/(n + 1) up to |z| = 1.
+// With |y_z| ≤ M on |z| ≤ r, the ellipse with the foci ±1 and the half axis (ρ + 1/ρ)/2 = r is in
+// that disc, and on it y_z = Σ aₖTₖ, |aₖ| ≤ 2Mρ⁻ᵏ [Trefethen 2013, theorem 8.1], with ρ = r + √(r²
+// − 1) > 3 for r ≥ 2.
 //
-// Whole parts are integrated by Gauss's rule, whose points serve all integrands. The ellipse with
-// the foci ±1 and the half axis (ρ + 1/ρ)/2 = r is in that disc, and on it y_z = Σ aₖTₖ, |aₖ| ≤
-// 2Mρ⁻ᵏ [Trefethen 2013, theorem 8.1]. The rule is exact up to T₂ₙ₋₁ and for odd k; for other Tₖ
-// the integral and the sum are at most 2. So the error is at most Σ 8Mρ⁻ᵏ, k = 2n, 2n + 2, …, with
-// ρ = r + √(r² − 1) > 3 for r ≥ 2: less than 9M/ρ²ⁿ.
+// Up to points inside of a part the polynomial is integrated that takes the values of y_z at the n
+// + 1 extrema of Tₙ. It is off by 4Mρ⁻ⁿ/(ρ − 1) at most [theorem 8.2], so its integral by 4Mρ⁻ⁿ.
+//
+// Whole parts are integrated by Gauss's rule, whose points serve all integrands. The rule is exact
+// up to T₂ₙ₋₁ and for odd k; for other Tₖ the integral and the sum are at most 2. So the error is
+// at most Σ 8Mρ⁻ᵏ, k = 2n, 2n + 2, …: less than 9M/ρ²ⁿ.
 
 namespace phrame::inline v0 {
 namespace {
@@ -61,38 +63,7 @@ TaylorPart part_inside(TaylorPart part, const Rational& lower, const Rational& u
 
 }  // namespace
 
-/// ∫ y from the middle of a part, a polynomial in z, and how far it is from the truth at most.
-struct KnownIntegrals::Piece {
-  BallPolynomial antiderivative;
-  RealBall start;  ///< its value at z = −1
-  RealBall error;
-
-  static Piece of(const ExpressionCurve& curve, const CurveIntegrand& y, const TaylorPart& part,
-                  long bits) {
-    const double terms = static_cast<double>(bits_left_out(part, bits)) /
-                         std::log2(static_cast<double>(part.radius));
-    const long length = static_cast<long>(terms) + 2;
-    const Rational half = half_of(part);
-    const long more = bits + std::max(exponent_above(part.bound), 0L);
-    const CurveJet jet(curve, RealBall(part.lower + half, more), half, length, more);
-    Piece piece;
-    piece.antiderivative = phrame::antiderivative(series(y(jet)), more);
-    piece.start = evaluate(piece.antiderivative, RealBall(-1, bits), bits);
-    // Both ends, 2/(1 − 1/r) ≤ 4.
-    piece.error = divide(multiply(part.bound, RealBall(4, 64), 64),
-                         pow(RealBall(part.radius, 64), length, 64), 64);
-    return piece;
-  }
-  static Piece over_gap(const TaylorPart& part) {
-    return {{}, {}, times_power_of_two(part.bound, 1)};
-  }
-
-  RealBall up_to(const RealBall& z, long bits) const {
-    return widened(subtract(evaluate(antiderivative, z, bits), start, bits), error);
-  }
-};
-
-/// Rules that were needed.
+/// Rules and points that were needed.
 class KnownIntegrals::Rules {
  public:
   /// That of so many points, in balls of so many bits.
@@ -101,9 +72,80 @@ class KnownIntegrals::Rules {
     if (known != rules_.end()) return known->second;
     return rules_.emplace(std::pair(n, bits), gauss_rule(n, bits)).first->second;
   }
+  /// cos kπ/n for k = 0, …, 2n − 1.
+  const std::vector<RealBall>& cosines(long n, long bits) {
+    std::vector<RealBall>& all = cosines_[{n, bits}];
+    if (!all.empty()) return all;
+    const RealBall step = divide(pi(bits), RealBall(n, bits), bits);
+    for (long k = 0; k <= n; ++k)
+      all.push_back(cos_sin(multiply(RealBall(k, bits), step, bits), bits).cos);
+    for (long k = n - 1; k > 0; --k) all.push_back(all[static_cast<std::size_t>(k)]);
+    return all;
+  }
 
  private:
   std::map<std::pair<long, long>, GaussRule> rules_;
+  std::map<std::pair<long, long>, std::vector<RealBall>> cosines_;
+};
+
+/// ∫ y on a part, Σ bₖTₖ(z) for k = 1, 2, …, and how far it is from the truth at most.
+struct KnownIntegrals::Piece {
+  std::vector<RealBall> antiderivative;  ///< b₁, b₂, …
+  RealBall start;                        ///< its value at z = −1
+  RealBall error;
+
+  static Piece of(const ExpressionCurve& curve, const CurveIntegrand& y, const TaylorPart& part,
+                  Rules& rules, long bits) {
+    // A multiple of 8, so that parts have points in common.
+    const long n = (2 * count_points(part, bits) + 7) / 8 * 8;
+    const std::vector<RealBall>& cosines = rules.cosines(n, bits);
+    const auto count = static_cast<std::size_t>(n);
+    const Rational half = half_of(part);
+    const RealBall middle(part.lower + half, bits);
+    const RealBall scale(half, bits);
+    std::vector<RealBall> values;
+    for (std::size_t j = 0; j <= count; ++j) {
+      values.push_back(
+          y(CurvePoint(curve, add_product(middle, scale, cosines[j], bits), half, bits)));
+      if (j == 0 || j == count) values[j] = times_power_of_two(std::move(values[j]), -1);
+    }
+    // n/2 times the coefficients of Tₖ, of T₀ n times; 0 from Tₙ₊₁ on.
+    std::vector<RealBall> c(count + 2);
+    for (std::size_t k = 0; k <= count; ++k) {
+      for (std::size_t j = 0; j <= count; ++j)
+        c[k] = add_product(std::move(c[k]), values[j], cosines[j * k % (2 * count)], bits);
+    }
+    c[count] = times_power_of_two(std::move(c[count]), -1);
+    // bₖ = (cₖ₋₁ − cₖ₊₁)/(2k), with 2c₀.
+    Piece piece;
+    for (std::size_t k = 1; k <= count + 1; ++k) {
+      const RealBall last = k <= count ? c[k + 1] : RealBall();
+      piece.antiderivative.push_back(
+          divide(subtract(c[k - 1], last, bits), RealBall(n * static_cast<long>(k), bits), bits));
+      piece.start = k % 2 == 0 ? add(piece.start, piece.antiderivative.back(), bits)
+                               : subtract(piece.start, piece.antiderivative.back(), bits);
+    }
+    piece.error =
+        divide(multiply(part.bound, RealBall(4, 64), 64), pow(gain_a_point(part), n / 2, 64), 64);
+    return piece;
+  }
+  static Piece over_gap(const TaylorPart& part) {
+    return {{}, {}, times_power_of_two(part.bound, 1)};
+  }
+
+  // T₂ₖ = 2Tₖ² − 1 and T₂ₖ₊₁ = 2TₖTₖ₊₁ − z, so that errors grow by little.
+  RealBall up_to(const RealBall& z, long bits) const {
+    const RealBall one(1, bits);
+    std::vector<RealBall> t{one, z};
+    RealBall sum = subtract(RealBall(), start, bits);
+    for (std::size_t k = 1; k <= antiderivative.size(); ++k) {
+      if (k > 1)
+        t.push_back(subtract(times_power_of_two(multiply(t[k / 2], t[(k + 1) / 2], bits), 1),
+                             k % 2 == 0 ? one : z, bits));
+      sum = add_product(std::move(sum), antiderivative[k - 1], t[k], bits);
+    }
+    return widened(sum, error);
+  }
 };
 
 /// ∫ y from 0, of y with the sign 1.
@@ -160,10 +202,10 @@ class KnownIntegrals::Integral {
   const RealBall& sum(std::size_t k) const { return sums_[k]; }
   std::size_t sums() const { return sums_.size(); }  ///< how many of these are known
   /// From there to t, on part k.
-  RealBall rest(const ExpressionCurve& curve, std::size_t k, const Rational& t) {
+  RealBall rest(const ExpressionCurve& curve, Rules& rules, std::size_t k, const Rational& t) {
     const TaylorPart& part = parts()[k];
     if (!pieces_[k])
-      pieces_[k] = part.is_gap ? Piece::over_gap(part) : Piece::of(curve, y, part, bits_);
+      pieces_[k] = part.is_gap ? Piece::over_gap(part) : Piece::of(curve, y, part, rules, bits_);
     const Rational z = (Rational(2) * t - part.lower - part.upper) / (part.upper - part.lower);
     return pieces_[k]->up_to(RealBall(z, bits_), bits_);
   }
@@ -289,7 +331,7 @@ RealBall KnownIntegrals::value(const ExpressionCurve& curve, Integral& f, const 
     known ? f.add_to_sums(*known, parts[f.sums() - 1].upper) : add_next(curve, {&f});
   }
   if (whole > k || t == parts[k].lower) return f.sum(whole);
-  return add(f.sum(k), f.rest(curve, k, t), f.bits());
+  return add(f.sum(k), f.rest(curve, *rules_, k, t), f.bits());
 }
 
 void KnownIntegrals::refine(const ExpressionCurve& curve, Integral& f, long bits) {
