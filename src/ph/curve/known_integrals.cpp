@@ -74,13 +74,14 @@ class KnownIntegrals::Rules {
   }
   /// cos kπ/n for k = 0, …, 2n − 1.
   const std::vector<RealBall>& cosines(long n, long bits) {
-    std::vector<RealBall>& all = cosines_[{n, bits}];
-    if (!all.empty()) return all;
+    const auto known = cosines_.find({n, bits});
+    if (known != cosines_.end()) return known->second;
+    std::vector<RealBall> all;
     const RealBall step = divide(pi(bits), RealBall(n, bits), bits);
     for (long k = 0; k <= n; ++k)
       all.push_back(cos_sin(multiply(RealBall(k, bits), step, bits), bits).cos);
     for (long k = n - 1; k > 0; --k) all.push_back(all[static_cast<std::size_t>(k)]);
-    return all;
+    return cosines_.emplace(std::pair(n, bits), std::move(all)).first->second;
   }
 
  private:

@@ -325,8 +325,7 @@ TEST_CASE("near: what is suggested is found, and nothing is where all is far") {
   CHECK_FALSE(near_suggestion(bezier_hodograph({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}}), {}));
 }
 
-TEST_CASE(
-    "near: what is a 4000th of its size away is not held for far") {
+TEST_CASE("near: what is a 4000th of its size away is not held for far") {
   for (long k = 0; k < 12; ++k) {
     CAPTURE(k);
     Gauss gauss(3300 + k);
