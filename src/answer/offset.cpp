@@ -6,6 +6,7 @@
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/offset_trim.hpp"
+#include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/trim_measure.hpp"
 
 namespace phrame::inline v0 {
@@ -100,18 +101,30 @@ class TrimReport {
       : path_(path), trimmed_(trimmed), digits_(digits) {}
 
   OffsetAnswer::Trimmed make() const {
-    OffsetAnswer::Trimmed report{trimmed_.offset.distance, {}, {}};
+    OffsetAnswer::Trimmed report{trimmed_.offset.distance, {}, undecided()};
     for (const TrimmedBranch& branch : trimmed_.branches) report.branches.push_back(make(branch));
-    for (const UndecidedStretch& x : trimmed_.undecided) {
-      const auto end = [&](const Rational& t) {
-        return round_to_decimal(parameter(x.piece, Real(t)), 12);
-      };
-      report.undecided.push_back({{end(x.t.lower()), end(x.t.upper())}, is_join(x.piece)});
-    }
+    return report;
+  }
+
+  /// Of one branch, the first of which has what is undecided.
+  OffsetAnswer::Trimmed make(std::size_t branch) const {
+    OffsetAnswer::Trimmed report{trimmed_.offset.distance, {make(trimmed_.branches[branch])}, {}};
+    if (branch == 0) report.undecided = undecided();
     return report;
   }
 
  private:
+  std::vector<OffsetAnswer::UndecidedStretch> undecided() const {
+    std::vector<OffsetAnswer::UndecidedStretch> found;
+    for (const UndecidedStretch& x : trimmed_.undecided) {
+      const auto end = [&](const Rational& t) {
+        return round_to_decimal(parameter(x.piece, Real(t)), 12);
+      };
+      found.push_back({{end(x.t.lower()), end(x.t.upper())}, is_join(x.piece)});
+    }
+    return found;
+  }
+
   bool is_join(std::size_t piece) const { return trimmed_.offset.pieces[piece].is_join; }
 
   OffsetAnswer::Branch make(const TrimmedBranch& branch) const {
@@ -164,13 +177,88 @@ class TrimReport {
   long digits_;
 };
 
+/// ½ ∮ (x dy − y dx)
+Rational signed_area(const PhPath& path) {
+  Rational twice;
+  for (const Curve& curve : path.segments()) {
+    const auto [x, y, z] = position(curve);
+    twice += antiderivative(x * differentiate(y) - y * differentiate(x))(1);
+  }
+  return twice / 2;
+}
+
+/// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
+/// nearest point of the path, along the normal, there is a point of each before it, at the same
+/// parameter of the same piece: so what a branch is inside of is told by that alone.
+class Pocket {
+ public:
+  Pocket(const PhPath& path, const Rational& d, OffsetJoin join, long digits)
+      : path_(path), digits_(digits) {
+    for (Rational sum = d;; sum += d) {
+      TrimmedOffset next = trimmed_offset(path, sum, join);
+      if (next.branches.empty()) break;
+      levels_.push_back(std::move(next));
+    }
+    if (levels_.empty()) made_.push_back({d, {}, {}});
+  }
+
+  std::vector<OffsetAnswer::Trimmed> make() {
+    if (!levels_.empty())
+      for (std::size_t k = 0; k < levels_.front().branches.size(); ++k) add(0, k);
+    return std::move(made_);
+  }
+
+ private:
+  void add(std::size_t level, std::size_t branch) {
+    made_.push_back(TrimReport(path_, levels_[level], digits_).make(branch));
+    if (level + 1 == levels_.size()) return;
+    const auto& inside = levels_[level + 1].branches;
+    for (std::size_t k = 0; k < inside.size(); ++k)
+      if (branch_around(level, inside[k]) == branch) add(level + 1, k);
+  }
+
+  /// The branch of that level that the one of the next level is inside of.
+  std::size_t branch_around(std::size_t level, const TrimmedBranch& inner) const {
+    const auto& [piece, from, to] = inner.parts.front();
+    constexpr long bits = 128;
+    const Rational t = (from.enclose(bits).midpoint() + to.enclose(bits).midpoint()) / 2;
+    const auto& branches = levels_[level].branches;
+    for (std::size_t k = 0; k < branches.size(); ++k)
+      for (const OffsetPart& part : branches[k].parts)
+        if (part.piece == piece && part.from.enclose(bits).lower() <= t &&
+            t <= part.to.enclose(bits).upper())
+          return k;
+    return 0;
+  }
+
+  const PhPath& path_;
+  long digits_;
+  std::vector<TrimmedOffset> levels_;
+  std::vector<OffsetAnswer::Trimmed> made_;
+};
+
+std::vector<OffsetAnswer::Trimmed> pocket(const PhPath& path, const OffsetQuery& query) {
+  if (query.distances.size() != 1)
+    throw DomainError("pocket: one distance is wanted, of which the others are multiples");
+  const Rational& d = query.distances.front();
+  if (!path.closing_turn()) throw DomainError("pocket: the path is open");
+  if (!is_level(path.segments().front()))
+    throw DomainError("offset: the path is in no plane z = const");
+  const Rational area = signed_area(path);
+  if (area.sign() * d.sign() >= 0)
+    throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
+  return Pocket(path, d, query.join, query.digits).make();
+}
+
 }  // namespace
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
   const auto path = named.path.ph();
   if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
-  if (query.trim)
+  if (query.pocket)
+    answer.trimmed = pocket(*path, query);
+  else if (query.trim)
     for (const Rational& d : query.distances)
       answer.trimmed.push_back(
           TrimReport(*path, trimmed_offset(*path, d, query.join), query.digits).make());
@@ -179,6 +267,16 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
       answer.offsets.push_back(
           OffsetReport(*path, offset(*path, d, query.join), query.digits).make());
   return answer;
+}
+
+std::vector<Path> all_paths(const OffsetAnswer& answer) {
+  std::vector<Path> all;
+  for (const auto& part : answer.offsets)
+    all.insert(all.end(), part.paths.begin(), part.paths.end());
+  for (const auto& part : answer.trimmed)
+    for (const auto& branch : part.branches)
+      all.insert(all.end(), branch.paths.begin(), branch.paths.end());
+  return all;
 }
 
 }  // namespace phrame

@@ -13,6 +13,9 @@ struct OffsetQuery {
   OffsetJoin join = OffsetJoin::round;  ///< at corners, on the outer side
   long digits = 17;                     ///< of lengths and areas, and of places where it is cut
   bool trim = false;                    ///< without what is nearer to the path than |d|?
+  /// Of a closed path, trimmed, at the one distance inwards and its multiples until nothing is
+  /// left?
+  bool pocket = false;
 };
 
 /// The offsets of a path. A place on them is named by the parameter t of the path there.
@@ -96,15 +99,19 @@ struct OffsetAnswer {
     std::vector<Branch> branches;             ///< by the places where they start
     std::vector<UndecidedStretch> undecided;  ///< where branches touch or coincide
   };
-  NamedPath path;                     ///< as asked
-  bool is_closed;                     ///< is that closed?
-  OffsetJoin join;                    ///< as asked
-  std::vector<Part> offsets;          ///< in the order of the distances, if they are not trimmed
-  std::vector<Trimmed> trimmed = {};  ///< in that order, if they are
+  NamedPath path;             ///< as asked
+  bool is_closed;             ///< is that closed?
+  OffsetJoin join;            ///< as asked
+  std::vector<Part> offsets;  ///< in the order of the distances, if they are not trimmed
+  /// In that order, if they are. Of a pocket each is one branch: first one next to the path, and
+  /// behind each branch those inside of it, so that one room comes after the other.
+  std::vector<Trimmed> trimmed = {};
 };
 
-/// Throws DomainError for a path that is not PH or in no plane z = const, for a distance 0, and as
-/// trimmed_offset().
+/// Throws DomainError for a path that is not PH or in no plane z = const, for a distance 0, as
+/// trimmed_offset(), and for a pocket of an open path, at several distances, or to the outside.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
+/// All paths of all offsets, or of all branches, one after the other.
+PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);
 
 }  // namespace phrame

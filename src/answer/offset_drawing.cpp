@@ -5,21 +5,20 @@
 namespace phrame::inline v0 {
 
 OffsetDrawing drawing(const OffsetAnswer& answer) {
-  std::vector<Path> all;
   std::vector<Rational> sizes;
-  for (const auto& part : answer.offsets) {
-    sizes.push_back(abs(part.distance));
-    all.insert(all.end(), part.paths.begin(), part.paths.end());
-  }
-  for (const auto& part : answer.trimmed) {
-    sizes.push_back(abs(part.distance));
-    for (const auto& branch : part.branches)
-      all.insert(all.end(), branch.paths.begin(), branch.paths.end());
-  }
+  for (const auto& part : answer.offsets) sizes.push_back(abs(part.distance));
+  for (const auto& part : answer.trimmed) sizes.push_back(abs(part.distance));
   OffsetDrawing drawing{answer.path.name, {}, *std::ranges::min_element(sizes) * power_of_ten(-6)};
-  for (const Path& path : all)
+  for (const Path& path : all_paths(answer))
     drawing.paths.push_back({plane_cubics(path, drawing.tolerance), path.ends_meet()});
   return drawing;
+}
+
+OffsetNurbs nurbs(const OffsetAnswer& answer) {
+  OffsetNurbs nurbs{answer.path.name, {}};
+  for (const Path& path : all_paths(answer))
+    nurbs.parts.push_back({as_bspline(path), path.ends_meet()});
+  return nurbs;
 }
 
 }  // namespace phrame

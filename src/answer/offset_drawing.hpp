@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/offset.hpp"
+#include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/plane_cubics.hpp"
 
 namespace phrame::inline v0 {
@@ -17,5 +18,17 @@ struct OffsetDrawing {
 };
 /// Within 10⁻⁶ of the least distance.
 OffsetDrawing drawing(const OffsetAnswer& answer);
+
+/// The paths of an answer, each as one curve, exactly.
+struct OffsetNurbs {
+  /// One of them.
+  struct Part {
+    BSpline curve;   ///< as_bspline()
+    bool is_closed;  ///< does it end where it begins?
+  };
+  std::string name;         ///< of the path
+  std::vector<Part> parts;  ///< in their order
+};
+OffsetNurbs nurbs(const OffsetAnswer& answer);
 
 }  // namespace phrame

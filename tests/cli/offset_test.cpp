@@ -2,9 +2,12 @@
 
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/io/write/nurbs.hpp"
 
 #include "cli/workshop.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/place.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/offset.hpp"
 #include "support/random.hpp"
 
@@ -70,14 +73,31 @@ TEST_CASE("offset: law: write, read, the same curves, with joins and with weight
       return;  // the tangent turns back
     }
     for (const OffsetJoin join : {OffsetJoin::round, OffsetJoin::mitre})
-      for (const Path& offset : paths(offset(path, random.integer(0, 1) == 0 ? -1 : 2, join)))
+      for (const Path& offset : paths(offset(path, random.integer(0, 1) == 0 ? -1 : 2, join))) {
         CHECK(read_any_path(write_path(NamedPath("", offset))).path == offset);
+        const OffsetNurbs one{"", {{as_bspline(offset), offset.ends_meet()}}};
+        const NamedPath nurbs = read_any_path(write_nurbs(one));
+        const NamedPath dxf = read_any_path(write_dxf(one));
+        for (long k = 0; k < 2; ++k) {
+          const Rational t = offset.end() * Rational(2 * k + 1, 5);
+          const auto at = position(offset, locate(offset, t));
+          CHECK(exactly(position(nurbs.path, native_place(nurbs, t))) == exactly(at));
+          const auto near = position(dxf.path, native_place(dxf, t));
+          for (std::size_t j = 0; j < 3; ++j)
+            CHECK(approximate(near[j].enclose(64)) ==
+                  doctest::Approx(approximate(at[j].enclose(64))).epsilon(1e-9));
+        }
+      }
   });
 }
 
 TEST_CASE("offset: several paths are a line each, which a batch reads") {
   const Workshop here;
   here.write("corner.json", corner);
+  const Run drawn = here.run("offset corner.json --distance -1/4 -o off.dxf");
+  check_success(drawn);
+  CHECK(contains(here.run("info off.dxf --pick offset-2").out, "line segment"));
+  CHECK(contains(here.run("offset corner.json --distance -1/4 --print nurbs").out, "nurbs/1"));
   const Run run = here.run("offset corner.json --distance -1/4 -o off.jsonl");
   check_success(run);
   CHECK(contains(run.out, "inner corner"));
@@ -126,6 +146,42 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   check_failure(here.run("offset back.json --distance 1 --trim -o off.json"), 3,
                 "phrame: trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
+  const Workshop here;
+  // Two rooms of 10 by 10, and a neck of 1.8 between them, which is shut at 1.
+  std::string segments;
+  const std::array<const char*, 13> corners{"0, 0",   "10, 0",  "10, 4.1", "14, 4.1", "14, 0",
+                                            "24, 0",  "24, 10", "14, 10",  "14, 5.9", "10, 5.9",
+                                            "10, 10", "0, 10",  "0, 0"};
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    segments += std::string(k == 0 ? "" : ", ") + R"({"control_points": [[)" + corners[k] +
+                ", 0], [" + corners[k + 1] + ", 0]]}";
+  here.write("rooms.json", R"({"phrame": "spline/1", "segments": [)" + segments + "]}");
+  const Run run = here.run("offset rooms.json --distance -0.75 --pocket --join mitre --print json");
+  check_success(run);
+  const Json found = Json::parse(run.out)["trimmed"];
+  // 0.75 leaves both in one; those of each are squares with the sides 10 - 2d, one inside another.
+  REQUIRE(found.size() == 11);
+  CHECK(found[0]["distance"] == "-3/4");
+  for (std::size_t k = 1; k < 11; ++k) {
+    const long level = static_cast<long>((k - 1) % 5) + 2;
+    const Rational d(3 * level, 4);
+    CHECK(found[k]["distance"] == to_string(Rational(-d)));
+    REQUIRE(found[k]["branches"].size() == 1);
+    const Json& branch = found[k]["branches"][0];
+    CHECK(branch["area"]["exact"] == to_string(Rational((10 - 2 * d) * (10 - 2 * d))));
+    const double x = std::stod(branch["parts"][0]["from"]["point"][0]["value"].get<std::string>());
+    CHECK((x < 10) == (k < 6));
+  }
+  check_failure(here.run("offset rooms.json --distance 1 --pocket -o off.dxf"), 3,
+                "phrame: pocket: the distance 1 is to the outside of the path\n");
+  here.write("corner.json", corner);
+  check_failure(here.run("offset corner.json --distance -1 --pocket"), 3,
+                "phrame: pocket: the path is open\n");
+  check_failure(here.run("offset rooms.json --distance -1,-2 --pocket"), 2,
+                "phrame: --pocket: one distance is wanted, of which the others are multiples\n");
 }
 
 TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {

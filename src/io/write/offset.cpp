@@ -281,11 +281,7 @@ std::string to_latex(const OffsetAnswer& answer) {
 
 std::string write_offsets(const OffsetAnswer& answer) {
   std::vector<NamedPath> paths;
-  for (const Part& part : answer.offsets)
-    for (const Path& path : part.paths) paths.emplace_back(answer.path.name, path);
-  for (const auto& part : answer.trimmed)
-    for (const auto& branch : part.branches)
-      for (const Path& path : branch.paths) paths.emplace_back(answer.path.name, path);
+  for (Path& path : all_paths(answer)) paths.emplace_back(answer.path.name, std::move(path));
   return write_paths(paths);
 }
 

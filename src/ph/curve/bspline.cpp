@@ -174,4 +174,64 @@ std::vector<BezierPiece> bezier_pieces(const BSpline& spline) {
   return pieces;
 }
 
+namespace {
+
+/// Parts of a curve with Bernstein coefficients of W that are > 0, one after the other.
+class ClampedMaker {
+ public:
+  explicit ClampedMaker(long degree) { made_.degree = degree; }
+
+  /// The curve on [from, to], with knots that much behind `start`. W > 0 there.
+  void add(const RationalCurve& curve, const Rational& start, const Rational& from,
+           const Rational& to) {
+    const long n = made_.degree;
+    const Polynomial t{from, to - from};
+    std::vector<Rational> weights = to_bernstein(compose(curve.weight(), t), n);
+    if (std::ranges::any_of(weights, [](const Rational& w) { return w <= 0; })) {
+      const Rational middle = (from + to) / 2;
+      add(curve, start, from, middle);
+      add(curve, start, middle, to);
+      return;
+    }
+    // What ends and what begins at a joint has one weight there.
+    const Rational scale = made_.weights.empty() ? 1 : made_.weights.back() / weights[0];
+    std::array<std::vector<Rational>, 3> x;
+    for (std::size_t k = 0; k < 3; ++k) x[k] = to_bernstein(compose(curve.numerator()[k], t), n);
+    const bool is_first = made_.points.empty();
+    for (std::size_t j = is_first ? 0 : 1; j < weights.size(); ++j) {
+      made_.points.push_back({x[0][j] / weights[j], x[1][j] / weights[j], x[2][j] / weights[j]});
+      made_.weights.push_back(scale * weights[j]);
+    }
+    made_.knots.insert(made_.knots.end(), static_cast<std::size_t>(is_first ? n + 1 : n),
+                       start + from);
+    end_ = start + to;
+  }
+
+  BSpline made() && {
+    made_.knots.insert(made_.knots.end(), static_cast<std::size_t>(made_.degree + 1), end_);
+    if (std::ranges::all_of(made_.weights, [](const Rational& w) { return w == 1; }))
+      made_.weights.clear();
+    return std::move(made_);
+  }
+
+ private:
+  BSpline made_;
+  Rational end_;
+};
+
+}  // namespace
+
+BSpline as_bspline(const Path& path) {
+  long most = 1;
+  for (const Segment& segment : path.segments()) {
+    const RationalCurve* curve = rational_curve(segment);
+    if (curve == nullptr) throw DomainError("as_bspline: a segment is given by formulas");
+    most = std::max(most, degree(*curve));
+  }
+  ClampedMaker maker(most);
+  for (std::size_t k = 0; k < path.segments().size(); ++k)
+    maker.add(*rational_curve(path.segments()[k]), Rational(static_cast<long>(k)), 0, 1);
+  return std::move(maker).made();
+}
+
 }  // namespace phrame

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/rational_bezier.hpp"
 
 namespace phrame::inline v0 {
@@ -44,5 +45,10 @@ struct BezierPiece {
 /// each: the control points are b(uᵢ, …, uᵢ, uᵢ₊₁, …, uᵢ₊₁) [Ramshaw 1989]. Costs p² combinations
 /// of two points for each. Throws DomainError with the fault_of() the spline.
 PHRAME_API std::vector<BezierPiece> bezier_pieces(const BSpline& spline);
+
+/// The path as one curve with weights > 0, exactly, clamped, with joints of multiplicity p at knots
+/// 0, 1, …: of the greatest degree of its segments, cut where a weight would not be > 0. Throws
+/// DomainError for segments by formulas.
+PHRAME_API BSpline as_bspline(const Path& path);
 
 }  // namespace phrame
