@@ -32,11 +32,11 @@ PHRAME_API std::vector<CurvaturePlace> curvature_places(const Segment& segment,
                                                         const Vector<Rational>& normal);
 
 /// ∫ κ ds/2π with the signed curvature: by how many turns e₁ turns to the left, with the angle in
-/// (−π, π) at each corner, also that where a closed path ends: whole for a closed path (and ±½ more
-/// where it ends with −e₁), 1 or −1 where that does not cross itself (Hopf's theorem), exactly. Of
-/// an open path it is exact where it is rational. e₁ goes through cusps, the tangent turns back
-/// there. No value for a path in no plane. Throws Undecided where formulas do not tell how the
-/// tangent turns within parts of 2^−40.
+/// (−π, π) at each corner, also that where a closed path ends. Whole for a closed path, 1 or −1
+/// where that does not cross itself (Hopf's theorem), exactly; of an open path it is exact where it
+/// is rational. e₁ goes on through cusps, where the tangent turns back. No value for a path in no
+/// plane. Throws Undecided where formulas do not tell how the tangent turns within parts of 2^−40,
+/// or whether the path is closed.
 PHRAME_API std::optional<Real> rotation_index(const Path& path);
 
 }  // namespace phrame
