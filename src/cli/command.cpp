@@ -26,7 +26,7 @@ namespace {
 /// read(text, options) of the file; its errors name the file.
 template <class Read>
 auto read_by(Read read, const CurveOptions& options) {
-  const std::string text = read_file(options.path);
+  const std::string text = options.content();
   return at_place(name_of_file(options.path), ":", [&] { return read(text, options); });
 }
 
@@ -213,6 +213,8 @@ void CurveOptions::add_input_to(Command& command) {
   add_max_degree(command, limits);
 }
 
+std::string CurveOptions::content() const { return bytes ? *bytes : read_file(path); }
+
 NamedCurve CurveOptions::read_curve() const {
   // As a path the curve has e₁ = r′/|r′| at the start.
   const NamedPhPath named = near || given_path(path, reading) || !reading.is_plain()
@@ -262,7 +264,7 @@ NamedPhPath CurveOptions::read_path() const {
   if (!within) return read_by(read_ph_path, *this);
   reading.refuse_skipping("read with --near");
   reading.refuse_picking("read with --near");
-  const std::string text = read_file(path);
+  const std::string text = content();
   const std::string file = name_of_file(path);
   auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
   if (const auto* none = std::get_if<NotNear>(&read))

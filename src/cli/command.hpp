@@ -42,6 +42,7 @@ struct CurveOptions {
   CurveLimits limits;
   FileReading reading;
   std::string output = "-";
+  std::optional<std::string> bytes = {};  ///< of the file, where it was read before
 
   void add_to(Command& command);
   /// All but -o, for a command with another one.
@@ -59,6 +60,8 @@ struct CurveOptions {
   /// line on stderr says what --near gives closed forms. Another one tells of corners that are no
   /// rounding; those beyond --max-corner are refused.
   NamedPath read_any_path() const;
+  /// What is in the file. Standard input is read once.
+  std::string content() const;
   /// The numbers of a column of the table that the curve is read from, a row for each point. Throws
   /// InputError, at the option where the curve is on standard input.
   std::vector<Rational> column(const std::string& option, const std::string& name) const;

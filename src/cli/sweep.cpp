@@ -7,6 +7,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/rational_sweep.hpp"
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/exchange.hpp"
 #include "phrame/cli/step_file.hpp"
 #include "phrame/io/read/expression.hpp"
 #include "phrame/io/read/point_table.hpp"
@@ -14,6 +15,7 @@
 #include "phrame/io/read/profile_curve.hpp"
 #include "phrame/io/write/mesh.hpp"
 #include "phrame/io/write/surface.hpp"
+#include "phrame/ph/sweep/near_pipe.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -142,13 +144,55 @@ void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place
                     body.folds));
 }
 
+/// Lines and arcs near the path that have exact surfaces, where it is of such.
+std::optional<NearPipe> found_pipe(const Path& path) {
+  try {
+    return near_pipe(path);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// With --near lines and arcs are moved where that gives them exact surfaces; else the PH curve
+/// near the control points is taken.
+NamedPath read_exact_path(CurveOptions options) {
+  const auto within = options.epsilon();
+  if (!within) return options.read_any_path();
+  if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
+  CurveOptions as_it_is = options;
+  as_it_is.near.reset();
+  std::optional<NearPipe> pipe;
+  std::optional<NamedPath> named;
+  try {
+    named = as_it_is.read_any_path();
+    if (named->path.is_ph()) return *std::move(named);
+    pipe = found_pipe(named->path);
+  } catch (const InputError&) {  // said again where it is read with --near
+  }
+  if (pipe && pipe->distance > *within && named->path.segments().size() > 1)
+    throw InputError(
+        "--near", "lines and arcs that are smooth at joints, with rational tangents, are up to " +
+                      upper_bound_text(pipe->distance) + " away");
+  if (!pipe || pipe->distance > *within) return options.read_any_path();
+  note("lines and arcs with rational tangents are taken, within " +
+       upper_bound_text(pipe->distance) + " of the given ones, proved");
+  named->path = pipe->path;
+  return *std::move(named);
+}
+
 /// What helps where the rotation-minimizing frame is not rational.
 RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuery& query) {
   try {
     return answer(named, query);
   } catch (const DomainError& error) {
     const auto ph = named.path.ph();
-    if (!ph) throw;
+    if (!ph) {
+      const auto pipe = found_pipe(named.path);
+      if (!pipe || pipe->distance > power_of_ten(-6)) throw;
+      throw DomainError(std::string(error.what()) + "; --near " +
+                        upper_bound_text(std::max(pipe->distance, power_of_ten(-30))) +
+                        " takes lines and arcs so near that have exact surfaces");
+    }
     const auto& segments = ph->segments();
     const bool is_rational = std::all_of(segments.begin(), segments.end(), [](const Curve& curve) {
       return std::holds_alternative<RationalFrame>(rational_frame(curve.preimage()));
@@ -180,7 +224,7 @@ void run_exact(const Command& command, const SweepOptions& options) {
   command.refuse({"--twist"},
                  "a turn that is even per length has no rational sine and cosine; with --exact the "
                  "frame of minimal twist is that of --end-normal and --degree");
-  const NamedPath path = options.curve.read_any_path();
+  const NamedPath path = read_exact_path(options.curve);
   options.start.check(path.path, std::nullopt);
   if (!path.path.is_ph() && (options.degree > 0 || options.end_normal))
     throw InputError(options.end_normal ? "--end-normal" : "--degree",

@@ -147,6 +147,18 @@ TEST_CASE("sweep: what has no exact surface is refused, with what helps") {
   refused("plane.json", "--scale t", 3, "scale");
   here.write("slanted.svg", R"(<svg><path d="M0 0 l1 1"/></svg>)");
   refused("slanted.svg", "", 3, "a rational function times sqrt(2)");
+  refused("slanted.svg", "", 3, "; --near 1.0e-30 takes lines and arcs so near");
+  const Run near = here.run("sweep slanted.svg --near 1e-20 -o pipe.obj" + exact);
+  CHECK(near.out == "4 rational Bezier patches, exact\n");
+  CHECK(contains(near.err, "lines and arcs with rational tangents are taken, within "));
+  // Standard input is read once, whichever way it is read.
+  here.write("near.json", R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 0, 0],
+                              [2, "1/3", 0], [3, 1, 0]]})");
+  CHECK(here.run("sweep - --near 1 -o p.obj" + exact + " < near.json").status == 0);
+  here.write("corner.svg", R"(<svg><path d="M0 0 l1 1 v4"/></svg>)");
+  const Run far = here.run("sweep corner.svg --near 1e-20 -o pipe.obj" + exact);
+  CHECK(far.status == 2);
+  CHECK(contains(far.err, "--near: lines and arcs that are smooth at joints"));
   here.write("cubic.svg", R"(<svg><path d="M0 0 h1 c1 0 2 1 3 3"/></svg>)");
   refused("cubic.svg", "", 3, "segment 1 is not PH: its unit tangent is no rational function");
   here.write("ring.svg", R"(<svg><circle r="2"/></svg>)");

@@ -2,21 +2,11 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/ball.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
-
-/// √x, exactly or to ellipse_bits.
-Rational near_root(const Rational& x) {
-  if (const auto root = square_root(x)) return *root;
-  constexpr long places = ellipse_bits + 20;
-  const Rational unit = power_of_two(binary_exponent(x) / 2 - places);
-  return Rational(floor(sqrt(RealBall(x, 2 * places), 2 * places).midpoint() / unit)) * unit;
-}
 
 Vector<Rational> in_space(const SpaceConic& conic, const Vector<Rational>& p) {
   return conic.center + p[0] * conic.x + p[1] * conic.y;
@@ -26,19 +16,6 @@ CurvePieces in_space(const SpaceConic& conic, CurvePieces pieces) {
   for (RationalBezier& piece : pieces)
     for (Vector<Rational>& p : piece.points) p = in_space(conic, p);
   return pieces;
-}
-
-/// The point of the unit circle, next to it where it is off.
-PlaneVector on_unit_circle(const PlaneVector& p) {
-  const Rational square = p[0] * p[0] + p[1] * p[1];
-  if (square == 1) return p;
-  const Rational size = near_root(square);
-  const bool is_left = p[0] < 0;
-  // tan(φ/2) = y/(r + |x|)
-  const Rational tangent = p[1] / (size + abs(p[0]));
-  const Rational below = 1 + tangent * tangent;
-  const Rational x = (1 - tangent * tangent) / below;
-  return {is_left ? Rational(-x) : x, 2 * tangent / below};
 }
 
 }  // namespace
@@ -73,7 +50,7 @@ CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
   const auto in_plane = [&](const Vector<Rational>& place) {
     const Vector<Rational> out = place - conic.center;
     const PlaneVector p{dot(out, conic.x), dot(out, conic.y)};
-    const PlaneVector q = on_unit_circle({p[0] / a, p[1] / b});
+    const PlaneVector q = near_direction({p[0] / a, p[1] / b});
     if (!points_meet(place, in_space(conic, {a * q[0], b * q[1], 0})))
       throw InputError("an end is not on the curve");
     return p;
@@ -87,7 +64,7 @@ CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
     const PlaneVector end{unit * (p[0] * q[0] + p[1] * q[1]), unit * (p[0] * q[1] - p[1] * q[0])};
     pieces = ellipse_arc(Ellipse{{0, 0}, p, {-p[1], p[0]}}, {1, 0}, end, is_growing);
   } else if (points_meet(from, to)) {
-    const PlaneVector start = on_unit_circle({p[0] / a, p[1] / b});
+    const PlaneVector start = near_direction({p[0] / a, p[1] / b});
     pieces = ellipse_arc(Ellipse{{0, 0}, {a, 0}, {0, b}}, start, start, is_growing);
   } else {
     const Rational turn = (p[0] * q[1] - p[1] * q[0]) * (is_growing ? 1 : -1);

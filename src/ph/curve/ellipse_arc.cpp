@@ -56,6 +56,24 @@ RationalBezier short_arc(const Ellipse& ellipse, const PlaneVector& p, const Pla
 
 }  // namespace
 
+Rational near_root(const Rational& x) {
+  if (const auto root = square_root(x)) return *root;
+  constexpr long places = ellipse_bits + 20;
+  const Rational unit = power_of_two(binary_exponent(x) / 2 - places);
+  return Rational(floor(sqrt(RealBall(x, 2 * places), 2 * places).midpoint() / unit)) * unit;
+}
+
+PlaneVector near_direction(const PlaneVector& v) {
+  const Rational square = plane_dot(v, v);
+  const auto exact = square_root(square);
+  // tan(φ/2) = y/(r + |x|)
+  Rational tangent = v[1] / ((exact ? *exact : near_root(square)) + abs(v[0]));
+  if (!exact) tangent = short_middle(RealBall(tangent, 2 * ellipse_bits));
+  const Rational below = 1 + tangent * tangent;
+  const Rational x = (1 - tangent * tangent) / below;
+  return {v[0] < 0 ? Rational(-x) : x, 2 * tangent / below};
+}
+
 PlaneVector rotation_by_degrees(const Rational& degrees) {
   const Integer quarters = floor(degrees / 90 + Rational(1, 2));
   const Rational rest = (degrees - 90 * Rational(quarters)) / 180;

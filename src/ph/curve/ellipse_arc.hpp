@@ -14,8 +14,13 @@ namespace phrame::inline v0 {
 /// Numbers that are rounded are rounded to so many bits.
 inline constexpr long ellipse_bits = 100;
 
+/// √x, x > 0: exactly where it is a fraction, else to ellipse_bits bits.
+Rational near_root(const Rational& x);
 /// A point or vector of the plane.
 using PlaneVector = std::array<Rational, 2>;
+/// The point of the unit circle in the direction of v ≠ 0: exactly where that is a fraction, else
+/// near it.
+PlaneVector near_direction(const PlaneVector& v);
 /// (c, s) with c² + s² = 1, near cos φ and sin φ: exactly for multiples of a right angle, else
 /// tan(φ/2), of the angle reduced to (−π/2, π/2], is a multiple of 2^−ellipse_bits.
 PlaneVector rotation_by_degrees(const Rational& degrees);
