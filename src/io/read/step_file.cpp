@@ -1,4 +1,4 @@
-// Entities of ISO 10303-42 (geometry) and -42 topology, in files of ISO 10303-21.
+// Entities of ISO 10303-42, geometry and topology, in files of ISO 10303-21.
 #include "phrame/io/read/step_file.hpp"
 
 #include <fmt/format.h>
