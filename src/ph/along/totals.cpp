@@ -67,7 +67,7 @@ RationalFunction unknown_rate(const TotalRate& of) {
 }
 
 Antiderivative with_known(Antiderivative F, const TotalRate& of) {
-  F.rational = F.rational + of.known;
+  if (!of.known.is_zero()) F.rational = F.rational + of.known;
   return F;
 }
 
