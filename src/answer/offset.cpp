@@ -1,5 +1,7 @@
 #include "phrame/answer/offset.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
@@ -217,17 +219,20 @@ class Pocket {
       if (branch_around(level, inside[k]) == branch) add(level + 1, k);
   }
 
-  /// The branch of that level that the one of the next level is inside of.
+  /// The branch of that level that the one of the next level is inside of; the first one where none
+  /// of its middles is left there, as where lines coincide of which one is left.
   std::size_t branch_around(std::size_t level, const TrimmedBranch& inner) const {
-    const auto& [piece, from, to] = inner.parts.front();
     constexpr long bits = 128;
-    const Rational t = (from.enclose(bits).midpoint() + to.enclose(bits).midpoint()) / 2;
     const auto& branches = levels_[level].branches;
-    for (std::size_t k = 0; k < branches.size(); ++k)
-      for (const OffsetPart& part : branches[k].parts)
-        if (part.piece == piece && part.from.enclose(bits).lower() <= t &&
-            t <= part.to.enclose(bits).upper())
-          return k;
+    for (const OffsetPart& at : inner.parts) {
+      const Rational t = (at.from.enclose(bits).midpoint() + at.to.enclose(bits).midpoint()) / 2;
+      const auto has = [&](const OffsetPart& part) {
+        return part.piece == at.piece && part.from.enclose(bits).lower() <= t &&
+               t <= part.to.enclose(bits).upper();
+      };
+      for (std::size_t k = 0; k < branches.size(); ++k)
+        if (std::ranges::any_of(branches[k].parts, has)) return k;
+    }
     return 0;
   }
 
