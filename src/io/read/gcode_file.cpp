@@ -370,7 +370,7 @@ void GcodeProgram::lift(std::vector<RationalBezier> pieces, const Vector<Rationa
   std::vector<double> angles{0};
   for (const RationalBezier& piece : pieces)
     angles.push_back(angles.back() + arc_half_angle(piece));
-  const auto height = [&](std::size_t k) {
+  const auto height = [&, up = up](std::size_t k) {
     if (k == 0 || rise == 0) return from;
     return k == pieces.size() ? to[up] : from + rise * exact_rational(angles[k] / angles.back());
   };

@@ -47,7 +47,7 @@ CurvePieces arc_between(const SpaceConic& conic, const PlaneVector& from, const 
 CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
                         const Vector<Rational>& to, bool is_growing) {
   const auto& [a, b] = conic.semiaxes;
-  const auto in_plane = [&](const Vector<Rational>& place) {
+  const auto in_plane = [&, &a = a, &b = b](const Vector<Rational>& place) {
     const Vector<Rational> out = place - conic.center;
     const PlaneVector p{dot(out, conic.x), dot(out, conic.y)};
     const PlaneVector q = near_direction({p[0] / a, p[1] / b});

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "phrame/algebra/real.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
 

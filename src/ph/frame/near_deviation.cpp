@@ -117,7 +117,7 @@ FrameDeviation deviation(const PhSegment& segment, const Rational& t, const Real
         H, size, balls.combined(balls.of(re), second, balls.of(Rational(-im)), third), f2);
 
   const auto grow_to = [&](RealBall& x, const RealBall& y) { x = max(x, y, more); };
-  const auto add_normal = [&](const Vector<RealBall>& f, const RealBall& square) {
+  const auto add_normal = [&, &H = H](const Vector<RealBall>& f, const RealBall& square) {
     grow_to(result.orthogonality, balls.cosine(f, H, multiply(sigma, square, more)));
     grow_to(result.length, balls.off_unit(square));
   };
