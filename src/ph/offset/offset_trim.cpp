@@ -29,6 +29,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/path_distance.hpp"
+#include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/shadow.hpp"
 #include "phrame/ph/offset/turning_parts.hpp"
 

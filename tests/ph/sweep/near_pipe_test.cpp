@@ -8,6 +8,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/sweep/rational_sweep.hpp"
 #include "support/paths.hpp"
+#include "support/surface_point.hpp"
 
 using namespace phrame;
 
@@ -53,7 +54,7 @@ TEST_CASE("near pipe: its body is bounded by cylinders and tori but for what was
   for (const SurfacePatch& patch : surface.patches) {
     if (patch.from == 1) continue;
     for (const Rational& s : {Rational(0), Rational(2, 3)}) {
-      const auto [x, y, z] = point(patch, Rational(1, 3), s);
+      const auto [x, y, z] = test::point(patch, Rational(1, 3), s);
       const Rational along = patch.from == 0 ? Rational(x + y) : Rational(y + z);
       const Rational square = x * x + y * y + z * z - along * along / 2;
       CHECK(abs(square - Rational(1, 16)) < tiny);
