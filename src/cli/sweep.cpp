@@ -169,10 +169,14 @@ NamedPath read_exact_path(CurveOptions options) {
     pipe = found_pipe(named->path);
   } catch (const InputError&) {  // said again where it is read with --near
   }
-  if (pipe && pipe->distance > *within && named->path.segments().size() > 1)
+  if (pipe && pipe->distance > *within && named->path.segments().size() > 1) {
+    const std::vector<std::size_t>& corners = named->path.corners();
     throw InputError(
-        "--near", "lines and arcs that are smooth at joints, with rational tangents, are up to " +
-                      upper_bound_text(pipe->distance) + " away");
+        "--near",
+        "lines and arcs that are smooth at joints, with rational tangents, are up to " +
+            upper_bound_text(pipe->distance) + " away" +
+            (corners.empty() ? "" : fmt::format("; t = {} is a corner", corners.front())));
+  }
   if (!pipe || pipe->distance > *within) return options.read_any_path();
   note("lines and arcs with rational tangents are taken, within " +
        upper_bound_text(pipe->distance) + " of the given ones, proved");
