@@ -314,7 +314,8 @@ TEST_CASE("batch: the lines that failed are told by their numbers in the input")
   const std::string skipped = R"({"id": "a", "curve": 0})"
                               "\n";
   CHECK(here.run("batch --skip-done done.jsonl", skipped + "{\"curve\": 7}").err ==
-        "phrame: 1 of 1 line failed: 2; line 2: /curve: an object, or a file as text, is wanted, not the number 7\n");
+        "phrame: 1 of 1 line failed: 2; line 2: /curve: an object, or a file as text, is wanted, "
+        "not the number 7\n");
   // A last line that is an answer is one without its end, too; half an answer is cut off.
   const std::string whole = R"({"id":"a","error":{"status":2}})";
   here.write("open.jsonl", whole);
