@@ -74,19 +74,19 @@ def quadrature(f, a, b):
     return mpmath.quad(sympy.lambdify(x, f, "mpmath"), [a, *inside, b])
 
 
-@pytest.mark.parametrize(
-    "f, a, b",
-    [
-        (1 / (x**5 + 1), 0, 3),
-        (1 / (x**6 - 2), 0, 1),  # SymPy 1.14: −0.2668…, which is no value of it
-        (1 / (x**3 + x + 1), 0, sympy.sqrt(2)),
-        (x**2 / (x**4 + x + 1), -sympy.pi, sympy.Rational(1, 3)),
-        (x / (x**4 + x + 1), sympy.oo, 2),
-        ((x + 1) / (x**4 + x + 1), -sympy.oo, sympy.oo),
-        (1 / (x**3 - 3 * x - 3), -sympy.oo, 2),
-        (1 / (x**2 + 1) ** 2 + 1 / (x**2 + 2), -1, sympy.Rational(1, 2)),
-    ],
-)
+DEFINITE = [
+    (1 / (x**5 + 1), 0, 3),
+    (1 / (x**6 - 2), 0, 1),  # SymPy 1.14: −0.2668…, which is no value of it
+    (1 / (x**3 + x + 1), 0, sympy.sqrt(2)),
+    (x**2 / (x**4 + x + 1), -sympy.pi, sympy.Rational(1, 3)),
+    (x / (x**4 + x + 1), sympy.oo, 2),
+    ((x + 1) / (x**4 + x + 1), -sympy.oo, sympy.oo),
+    (1 / (x**3 - 3 * x - 3), -sympy.oo, 2),
+    (1 / (x**2 + 1) ** 2 + 1 / (x**2 + 2), -1, sympy.Rational(1, 2)),
+]
+
+
+@pytest.mark.parametrize("f, a, b", DEFINITE if MULTIPLIER > 1 else DEFINITE[1::2])
 def test_definite_integrals(f, a, b):
     value = integrate(f, (x, a, b))
     assert isinstance(value, sympy.Expr) and not value.has(sympy.Float)
