@@ -55,6 +55,6 @@ struct PageAnswer {
 /// back to its start with the least turn, along an open one the frame that ends with the end
 /// normal. Throws as frame_table() and the other answers, and DomainError for an end normal that is
 /// along the tangent or of a closed path.
-PageAnswer answer(const NamedPath& path, const PageQuery& query);
+PageAnswer answer(const NamedPath& named, const PageQuery& query);
 
 }  // namespace phrame

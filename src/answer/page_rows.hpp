@@ -37,7 +37,7 @@ using RowMaker = std::function<FrameTable(const std::vector<PathParameter>&)>;
 
 /// Rows at these places, which are to hold the first and the last of the path, and between them
 /// where straight lines between neighbours are seen not to be the graph.
-PageRows page_rows(std::vector<PathParameter> at, const RowMaker& rows);
+PageRows page_rows(std::vector<PathParameter> at, const RowMaker& make);
 
 /// Are they the same place, as far as a double tells? An end of a segment is not the start of the
 /// next.

@@ -96,8 +96,8 @@ struct NamedPath {
   std::optional<FrameThrough> frame = {};  ///< the orientations that come with it
 
   /// A path under this name.
-  NamedPath(std::string its_name, Path its_path)
-      : name(std::move(its_name)), path(std::move(its_path)) {}
+  NamedPath(std::string its_name, const Path& its_path)
+      : name(std::move(its_name)), path(its_path) {}
   /// @{ The same path, as one of segments of any kind.
   NamedPath(const NamedPhPath& ph)  // NOLINT(google-explicit-constructor)
       : name(ph.name), path(ph.path), notes(ph.notes), near(ph.near), frame(ph.frame) {}

@@ -19,8 +19,8 @@ class PHRAME_API Roll {
 
   Roll() : Roll(Piece{}) {}  ///< 0
   /// One function all along.
-  Roll(Piece of_t)
-      : pieces_{std::move(of_t)}, is_whole_(true) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  Roll(Piece of_t) : pieces_{std::move(of_t)}, is_whole_(true) {}
   /// These values at t = 0, 1, …, and linear in between. Precondition: there are two at least.
   explicit Roll(const std::vector<Angle>& at_joints);
 
