@@ -46,7 +46,7 @@ build() {  # PYTHON; sets wheel
 }
 
 needed_by() {  # the shared libraries that these files are linked with
-  ldd "$@" 2>/dev/null | sed -nE 's#.*(=> |\t)(/[^ ]+) .*#\2#p' | sort -u
+  ldd "$@" 2>/dev/null | sed -nE 's#.*(=> |\t)(/.+) \(0x[0-9a-f]+\)$#\2#p' | sort -u
 }
 
 # What is Python's own, and of libraries what that and NumPy are linked with.
