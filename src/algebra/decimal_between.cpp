@@ -22,4 +22,8 @@ std::string decimal_between(const Rational& lower, const Rational& upper, long d
   return bound(lower, -1) + " to " + bound(upper, 1);
 }
 
+Rational half_unit(const Rational& value, long digits) {
+  return 5 * power_of_ten((value == 0 ? -1 : decimal_exponent(abs(value))) - digits);
+}
+
 }  // namespace phrame

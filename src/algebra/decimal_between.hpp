@@ -10,4 +10,7 @@ namespace phrame::inline v0 {
 /// even one digit is common to both.
 std::string decimal_between(const Rational& lower, const Rational& upper, long digits);
 
+/// Half a unit in the last place of a decimal with so many significant digits.
+Rational half_unit(const Rational& value, long digits);
+
 }  // namespace phrame

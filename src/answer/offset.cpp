@@ -179,16 +179,6 @@ class TrimReport {
   long digits_;
 };
 
-/// ½ ∮ (x dy − y dx)
-Rational signed_area(const PhPath& path) {
-  Rational twice;
-  for (const Curve& curve : path.segments()) {
-    const auto [x, y, z] = position(curve);
-    twice += antiderivative(x * differentiate(y) - y * differentiate(x))(1);
-  }
-  return twice / 2;
-}
-
 /// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
 /// nearest point of the path, along the normal, there is a point of each before it, at the same
 /// parameter of the same piece: so what a branch is inside of is told by that alone.

@@ -8,6 +8,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/exact_form.hpp"
 #include "phrame/io/write/names.hpp"
@@ -81,7 +82,7 @@ std::vector<std::vector<Rational>> read_table(const std::string& text) {
       return cell.size() <= 400 && std::regex_match(cell, number);
     };
     if (cells.size() != certified_columns().size() || !std::ranges::all_of(cells, is_number))
-      throw InputError(fmt::format("line {}", rows.size() + 2),
+      throw InputError(line_place(static_cast<long>(rows.size()) + 2),
                        fmt::format("{} decimal numbers are wanted", certified_columns().size()));
     rows.emplace_back();
     for (const std::string& cell : cells) rows.back().push_back(parse_rational(cell));

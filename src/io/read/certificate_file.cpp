@@ -181,7 +181,7 @@ class CertificateReader {
       node.fail(
           fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(node.text())));
     Rational x = node.number();
-    volume_ += size(x);
+    volume_ += bits_of(x);
     return x;
   }
 
@@ -234,9 +234,9 @@ class CertificateReader {
     AngleClaim claim = read_claim(node);
     claim.t = exact(node.at("t"));
     if (is_frenet) claim.turn = read_turn(node.at("turn"));
-    const Integer k = size(parse_rational(claim.radius));
-    const Integer theta = size(parse_rational(claim.theta));
-    const Integer t = longest_ * size(claim.t);
+    const Integer k = bits_of(parse_rational(claim.radius));
+    const Integer theta = bits_of(parse_rational(claim.theta));
+    const Integer t = longest_ * bits_of(claim.t);
     work_ += Integer(discs_ + 8) * k * k + theta * theta / 1000 +
              t * t * Integer(10 + (is_frenet ? longest_ : 0)) / 1000;
     return claim;
@@ -254,7 +254,7 @@ class CertificateReader {
       const Rational& a = *p.interval.lower;
       const Rational& b = *p.interval.upper;
       Span span{p.polynomial.degree() + 1, a == b ? a - 1 : a, a == b ? b + 1 : b};
-      const Integer bits = size(span.lower) + size(span.upper);
+      const Integer bits = bits_of(span.lower) + bits_of(span.upper);
       work_ += span.length * span.length * span.length * bits * bits / 2000;
       for (const Span& other : spans)
         if (std::max(span.lower, other.lower) < std::min(span.upper, other.upper))
@@ -276,11 +276,6 @@ class CertificateReader {
   }
 
  private:
-  /// The bits of numerator and denominator.
-  static long size(const Rational& x) {
-    return bit_length(numerator(x)) + bit_length(denominator(x));
-  }
-
   GaussianInteger grid_point(const JsonNode& node) {
     const auto parts = read_list(node, [this](const JsonNode& part) { return integer(part); });
     if (parts.size() != 2) node.fail(fmt::format("2 numbers are wanted, not {}", parts.size()));
@@ -430,11 +425,8 @@ AngleClaim read_path_claim(const JsonNode& node, Integer& work) {
   if (!is_exact(t.string()))
     t.fail(fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(t.text())));
   claim.t = t.number();
-  const auto size = [](const Rational& x) {
-    return bit_length(numerator(x)) + bit_length(denominator(x));
-  };
-  const Integer bits =
-      size(claim.t) + size(parse_rational(claim.theta)) + size(parse_rational(claim.radius));
+  const Integer bits = bits_of(claim.t) + bits_of(parse_rational(claim.theta)) +
+                       bits_of(parse_rational(claim.radius));
   work += bits * bits / 1000 + 1000;
   return claim;
 }

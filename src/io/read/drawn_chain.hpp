@@ -9,16 +9,27 @@ namespace phrame::inline v0 {
 /// Pieces from a start to an end, each behind the one before.
 using CurvePieces = std::vector<RationalBezier>;
 
-/// The same from the end to the start.
-void turn_back(CurvePieces& pieces);
+/// A curve of a drawing.
+struct DrawnCurve {
+  CurvePieces pieces;                ///< at least one
+  std::vector<Rational> knots = {};  ///< of one spline, where the pieces begin, and the last
+};
+/// A spline without a fault, between its knots.
+DrawnCurve drawn_spline(const BSpline& spline);
+/// The part of a spline from a to b, a < b, between its first knot and its last.
+DrawnCurve part_between(const DrawnCurve& spline, const Rational& a, const Rational& b);
+/// The same from the end to the start, without knots.
+void turn_back(DrawnCurve& curve);
 
 /// A curve of a drawing, or several that meet.
 struct DrawnChain {
-  CurvePieces pieces;                ///< at least one
-  std::vector<Rational> knots = {};  ///< of one spline, where the pieces begin, and the last
-  std::vector<long> lines = {};      ///< of each piece, the line of the file
-  std::string layer = {};            ///< curves of one layer may meet
+  DrawnCurve curve;
+  std::vector<long> lines = {};  ///< of each piece, the line of the file
+  std::string layer = {};        ///< curves of one layer may meet
   std::vector<std::string> handles = {};
+
+  /// Of a curve that is on that line.
+  DrawnChain(DrawnCurve drawn, long line, std::string its_layer, std::string handle);
 };
 
 /// Are they the same but for what rounding of such coordinates leaves, 10⁻⁹ of the greatest?

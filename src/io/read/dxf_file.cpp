@@ -33,8 +33,6 @@ struct DxfGroup {
   long line;  ///< of the value
 };
 
-std::string in_dxf_line(long line) { return fmt::format("line {}", line); }
-
 std::vector<DxfGroup> read_dxf_groups(std::string_view text) {
   std::vector<DxfGroup> groups;
   long number = 0;
@@ -48,7 +46,7 @@ std::vector<DxfGroup> read_dxf_groups(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), value);
     if (error != std::errc() || end != code.data() + code.size())
-      throw InputError(in_dxf_line(number),
+      throw InputError(line_place(number),
                        fmt::format("a group code is expected, not \"{}\"", abbreviated(code)));
     if (value == 999) {
       next();
@@ -64,7 +62,7 @@ Rational group_number(const DxfGroup& group) {
   try {
     return parse_short_number(group.value);
   } catch (const InputError& error) {
-    throw InputError(in_dxf_line(group.line), error.reason());
+    throw InputError(line_place(group.line), error.reason());
   }
 }
 
@@ -75,7 +73,7 @@ struct DxfEntity {
   long line;
 
   [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(in_dxf_line(line), fmt::format("{}: {}", type, reason));
+    throw InputError(line_place(line), fmt::format("{}: {}", type, reason));
   }
   const DxfGroup* find(int code) const {
     const auto found = std::ranges::find(groups, code, &DxfGroup::code);
@@ -215,9 +213,7 @@ CurvePieces old_polyline_of(const DxfEntity& entity, const std::vector<DxfEntity
   return is_of_space ? pieces : mirrored_pieces(std::move(pieces), sense_of(entity));
 }
 
-/// A SPLINE; `knots` becomes those where the pieces begin, and the last one.
-CurvePieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
-                      std::vector<Rational>& knots) {
+DrawnCurve spline_of(const DxfEntity& entity, const CurveLimits& limits) {
   BSpline spline;
   spline.degree = entity.flags(71);
   if (spline.degree < 1 || spline.degree > limits.max_degree)
@@ -234,25 +230,18 @@ CurvePieces spline_of(const DxfEntity& entity, const CurveLimits& limits,
   if (spline.points.empty())
     entity.fail("the spline has fit points only: its control points are wanted");
   if (const auto fault = fault_of(spline)) entity.fail(fault->reason);
-  CurvePieces pieces;
-  for (BezierPiece& piece : bezier_pieces(spline)) {
-    if (knots.empty()) knots.push_back(piece.lower);
-    knots.push_back(piece.upper);
-    pieces.push_back(std::move(piece.curve));
-  }
-  return pieces;
+  return drawn_spline(spline);
 }
 
 /// What an entity draws; no value for one that is no curve.
-std::optional<CurvePieces> pieces_of(const DxfEntity& entity,
-                                     const std::vector<DxfEntity>& vertices,
-                                     const CurveLimits& limits, std::vector<Rational>& knots) {
-  if (entity.type == "LINE") return CurvePieces{{{entity.point(10), entity.point(11)}}};
-  if (entity.type == "ARC" || entity.type == "CIRCLE") return circle_of(entity);
-  if (entity.type == "ELLIPSE") return ellipse_of(entity);
-  if (entity.type == "LWPOLYLINE") return light_polyline_of(entity);
-  if (entity.type == "POLYLINE") return old_polyline_of(entity, vertices);
-  if (entity.type == "SPLINE") return spline_of(entity, limits, knots);
+std::optional<DrawnCurve> curve_of(const DxfEntity& entity, const std::vector<DxfEntity>& vertices,
+                                   const CurveLimits& limits) {
+  if (entity.type == "LINE") return DrawnCurve{{{{entity.point(10), entity.point(11)}}}};
+  if (entity.type == "ARC" || entity.type == "CIRCLE") return DrawnCurve{circle_of(entity)};
+  if (entity.type == "ELLIPSE") return DrawnCurve{ellipse_of(entity)};
+  if (entity.type == "LWPOLYLINE") return DrawnCurve{light_polyline_of(entity)};
+  if (entity.type == "POLYLINE") return DrawnCurve{old_polyline_of(entity, vertices)};
+  if (entity.type == "SPLINE") return spline_of(entity, limits);
   return std::nullopt;
 }
 
@@ -326,8 +315,7 @@ class DxfDrawing {
 
   void read(const std::vector<DxfEntity>& entities, const Insertion& in);
   void insert(const DxfEntity& entity, const Insertion& in);
-  void add(const DxfEntity& entity, CurvePieces pieces, std::vector<Rational> knots,
-           const Insertion& in);
+  void add(const DxfEntity& entity, DrawnCurve curve, const Insertion& in);
 
   static constexpr long most_in_blocks = 200'000;
 
@@ -336,8 +324,8 @@ class DxfDrawing {
   long count_ = 0;  ///< of entities in blocks
 };
 
-void DxfDrawing::add(const DxfEntity& entity, CurvePieces pieces, std::vector<Rational> knots,
-                     const Insertion& in) {
+void DxfDrawing::add(const DxfEntity& entity, DrawnCurve curve, const Insertion& in) {
+  CurvePieces& pieces = curve.pieces;
   for (RationalBezier& piece : pieces)
     for (Vector<Rational>& p : piece.points) p = in.map(p);
   std::erase_if(pieces, [](const RationalBezier& piece) {
@@ -345,12 +333,9 @@ void DxfDrawing::add(const DxfEntity& entity, CurvePieces pieces, std::vector<Ra
                                [&](const auto& p) { return p == piece.points.front(); });
   });
   if (pieces.empty()) return;
-  DrawnChain chain{std::move(pieces), std::move(knots)};
-  chain.lines.assign(chain.pieces.size(), entity.line);
-  chain.layer = entity.text(8);
-  if (in.depth > 0 && chain.layer == "0") chain.layer = in.layer;
-  chain.handles.push_back(in.handle + entity.text(5));
-  parts.push_back(std::move(chain));
+  const std::string layer = entity.text(8);
+  parts.emplace_back(std::move(curve), entity.line, in.depth > 0 && layer == "0" ? in.layer : layer,
+                     in.handle + entity.text(5));
 }
 
 // A point p of the block comes to M(at + R(S(p − base) + k)), k a step of its rows and columns, S
@@ -403,10 +388,8 @@ void DxfDrawing::read(const std::vector<DxfEntity>& entities, const Insertion& i
     std::vector<DxfEntity> vertices;
     for (std::size_t j = k + 1; j < entities.size() && entities[j].type == "VERTEX"; ++j)
       vertices.push_back(entities[j]);
-    std::vector<Rational> knots;
-    auto pieces = pieces_of(entity, vertices, limits_, knots);
-    if (pieces)
-      add(entity, *std::move(pieces), std::move(knots), in);
+    if (auto curve = curve_of(entity, vertices, limits_))
+      add(entity, *std::move(curve), in);
     else
       ++skipped[entity.type];
   }

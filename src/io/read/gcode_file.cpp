@@ -29,12 +29,10 @@ struct GcodeWord {
 };
 using GcodeBlock = std::vector<GcodeWord>;
 
-std::string gcode_line(long line) { return fmt::format("line {}", line); }
-
 /// The words of a line without comments, (…) and ;…, and without its number.
 GcodeBlock read_block(std::string_view line, long number) {
   const auto fail = [&](const std::string& reason) {
-    throw InputError(gcode_line(number), reason);
+    throw InputError(line_place(number), reason);
   };
   GcodeBlock block;
   if (line.starts_with('%')) return block;
@@ -129,7 +127,7 @@ class GcodeProgram {
                                        const PlaneVector& from, const PlaneVector& to);
   void lift(std::vector<RationalBezier> pieces, const Vector<Rational>& to);
   [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(gcode_line(line_), reason);
+    throw InputError(line_place(line_), reason);
   }
 
   long line_ = 0;
@@ -285,7 +283,7 @@ void GcodeProgram::add(const RationalBezier& bezier) {
   if (std::all_of(bezier.points.begin(), bezier.points.end(),
                   [&](const auto& p) { return p == bezier.points.front(); }))
     return;
-  segments.push_back(bezier_segment(bezier, gcode_line(line_)));
+  segments.push_back(bezier_segment(bezier, line_place(line_)));
   if (motion_ == Motion::rapid) return;
   if (!std::exchange(is_in_run_, true)) runs.push_back({segments.size() - 1, 0, line_, line_});
   runs.back().end = segments.size();
@@ -445,13 +443,13 @@ GotoPoints read_goto(std::string_view text) {
       try {
         numbers.push_back(parse_short_number(trimmed(list.substr(0, comma))));
       } catch (const InputError& error) {
-        throw InputError(gcode_line(number), error.reason());
+        throw InputError(line_place(number), error.reason());
       }
       if (comma == list.size()) break;
       list.remove_prefix(comma + 1);
     }
     if (numbers.size() < 3)
-      throw InputError(gcode_line(number),
+      throw InputError(line_place(number),
                        fmt::format("a point has three coordinates, not {}", numbers.size()));
     found.has_axes = found.has_axes || numbers.size() > 3;
     found.points.push_back({{numbers[0], numbers[1], numbers[2]}, number});
@@ -475,7 +473,7 @@ bool is_apt(std::string_view text) {
 }
 
 /// The first line that says something, without a comment.
-std::string_view first_gcode_line(std::string_view text) {
+std::string_view first_line_place(std::string_view text) {
   for (;;) {
     const std::string_view line = trimmed(take_line(text));
     const bool is_comment = line.empty() || line[0] == ';' || line[0] == '%' || line[0] == '(' ||
@@ -487,7 +485,7 @@ std::string_view first_gcode_line(std::string_view text) {
 }  // namespace
 
 bool is_gcode_file(std::string_view text) {
-  const std::string_view line = first_gcode_line(text);
+  const std::string_view line = first_line_place(text);
   if (is_apt(line)) return true;
   if (line.size() < 2) return false;
   const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(line[0])));
@@ -504,7 +502,7 @@ bool is_gcode_file(std::string_view text) {
 }
 
 PointCurve read_gcode(std::string_view text, const FileReading& reading) {
-  if (is_apt(first_gcode_line(text))) {
+  if (is_apt(first_line_place(text))) {
     reading.refuse_picking("one path of a tool");
     return read_apt(text, reading);
   }

@@ -22,8 +22,6 @@
 namespace phrame::inline v0 {
 namespace {
 
-std::string in_iges_line(long line) { return fmt::format("line {}", line); }
-
 struct IgesLine {
   std::string_view text;
   long line;  ///< of the file
@@ -41,8 +39,7 @@ struct IgesEntity {
   long line;    ///< of the file
 
   [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(in_iges_line(line),
-                     fmt::format("entity {} (D{}): {}", type, sequence, reason));
+    throw InputError(line_place(line), fmt::format("entity {} (D{}): {}", type, sequence, reason));
   }
 };
 
@@ -113,7 +110,7 @@ long whole_field(const IgesLine& line, std::size_t k) {
   long value = 0;
   for (const char c : field.substr(field.front() == '-' ? 1 : 0)) {
     if (c < '0' || c > '9')
-      throw InputError(in_iges_line(line.line),
+      throw InputError(line_place(line.line),
                        fmt::format("\"{}\" is no whole number", abbreviated(std::string(field))));
     value = 10 * value + (c - '0');
   }
@@ -122,7 +119,7 @@ long whole_field(const IgesLine& line, std::size_t k) {
 
 void IgesFile::read_directory(const std::vector<IgesLine>& lines) {
   if (lines.size() % 2 != 0)
-    throw InputError(in_iges_line(lines.back().line), "directory entries have two lines");
+    throw InputError(line_place(lines.back().line), "directory entries have two lines");
   for (std::size_t k = 0; k < lines.size(); k += 2) {
     const IgesLine& a = lines[k];
     const IgesLine& b = lines[k + 1];
@@ -137,13 +134,11 @@ IgesFile::IgesFile(std::string_view text) {
   std::vector<IgesLine> directory;
   std::string global;
   for (long number = 1; !text.empty(); ++number) {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    std::string_view line = take_line(text);
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (trimmed(line).empty()) continue;
     if (line.size() < 73)
-      throw InputError(in_iges_line(number),
+      throw InputError(line_place(number),
                        "lines of IGES have 80 columns, with the letter of the "
                        "section in column 73");
     switch (line[72]) {
@@ -160,7 +155,7 @@ IgesFile::IgesFile(std::string_view text) {
       case 'T':
         break;
       default:
-        throw InputError(in_iges_line(number),
+        throw InputError(line_place(number),
                          fmt::format("\"{}\" in column 73 is no section of an IGES file in ASCII",
                                      std::string(1, line[72])));
     }
@@ -199,23 +194,17 @@ IgesNumbers IgesFile::parameters(const IgesEntity& entity) const {
   entity.fail("its parameters have no end");
 }
 
-/// Pieces; with knots where they are of a spline.
-struct IgesCurve {
-  CurvePieces pieces;
-  std::vector<Rational> knots = {};
-};
-
 class IgesCurves {
  public:
   IgesCurves(const IgesFile& file, const CurveLimits& limits) : file_(file), limits_(limits) {}
 
-  IgesCurve curve(const IgesEntity& entity, int depth = 0) const;
+  DrawnCurve curve(const IgesEntity& entity, int depth = 0) const;
 
  private:
   AffineMap map_of(const IgesEntity& entity, int depth = 0) const;
-  IgesCurve spline(const IgesEntity& entity) const;
-  IgesCurve arc(const IgesEntity& entity) const;
-  IgesCurve composite(const IgesEntity& entity, int depth) const;
+  DrawnCurve spline(const IgesEntity& entity) const;
+  DrawnCurve arc(const IgesEntity& entity) const;
+  DrawnCurve composite(const IgesEntity& entity, int depth) const;
 
   static constexpr int deepest_ = 32;
 
@@ -243,7 +232,7 @@ bool is_same_parameter(const Rational& a, const Rational& b, const Rational& wid
 }
 
 // K, M, four flags, K + M + 2 knots, K + 1 weights and points, the ends of the parameter, a normal.
-IgesCurve IgesCurves::spline(const IgesEntity& entity) const {
+DrawnCurve IgesCurves::spline(const IgesEntity& entity) const {
   IgesNumbers in = file_.parameters(entity);
   const long most = static_cast<long>(in.left());
   const long last = in.whole(1, most, "the index of the last point");
@@ -257,35 +246,26 @@ IgesCurve IgesCurves::spline(const IgesEntity& entity) const {
   if (std::ranges::all_of(spline.weights,
                           [&](const Rational& w) { return w == spline.weights.front(); }))
     spline.weights.clear();
-  std::vector<BezierPiece> pieces = bezier_pieces(spline);
-  const Rational width = pieces.back().upper - pieces.front().lower;
-  Rational from = pieces.front().lower;
-  Rational to = pieces.back().upper;
+  const DrawnCurve whole = drawn_spline(spline);
+  const Rational& first_knot = whole.knots.front();
+  const Rational& last_knot = whole.knots.back();
+  const Rational width = last_knot - first_knot;
+  Rational from = first_knot;
+  Rational to = last_knot;
   if (in.left() >= 2) {
     const Rational a = in.number();
     const Rational b = in.number();
     if (a != b && !is_same_parameter(a, from, width)) from = a;
     if (a != b && !is_same_parameter(b, to, width)) to = b;
-    if (from < pieces.front().lower || to > pieces.back().upper || from >= to)
+    if (from < first_knot || to > last_knot || from >= to)
       entity.fail(fmt::format("its part from {} to {} is not between its knots", as_written(a),
                               as_written(b)));
   }
-  IgesCurve curve;
-  for (const BezierPiece& piece : pieces) {
-    const Rational lower = std::max(from, piece.lower);
-    const Rational upper = std::min(to, piece.upper);
-    if (lower >= upper) continue;
-    const Rational size = piece.upper - piece.lower;
-    if (curve.knots.empty()) curve.knots.push_back(lower);
-    curve.knots.push_back(upper);
-    curve.pieces.push_back(part_of(piece.curve, Rational((lower - piece.lower) / size),
-                                   Rational((upper - piece.lower) / size)));
-  }
-  return curve;
+  return part_between(whole, from, to);
 }
 
 // z, and in that plane the center, start and end, counterclockwise.
-IgesCurve IgesCurves::arc(const IgesEntity& entity) const {
+DrawnCurve IgesCurves::arc(const IgesEntity& entity) const {
   IgesNumbers in = file_.parameters(entity);
   const Rational z = in.number();
   const auto place = [&] {
@@ -306,21 +286,21 @@ IgesCurve IgesCurves::arc(const IgesEntity& entity) const {
   }
 }
 
-IgesCurve IgesCurves::composite(const IgesEntity& entity, int depth) const {
+DrawnCurve IgesCurves::composite(const IgesEntity& entity, int depth) const {
   IgesNumbers in = file_.parameters(entity);
-  IgesCurve curve;
+  DrawnCurve curve;
   for (long left = in.whole(1, static_cast<long>(in.left()), "the number of curves"); left > 0;
        --left) {
     const long sequence = in.whole(1, 10'000'000, "a directory entry");
-    IgesCurve next = this->curve(file_.entity(sequence, entity), depth + 1);
+    DrawnCurve next = this->curve(file_.entity(sequence, entity), depth + 1);
     std::ranges::move(next.pieces, std::back_inserter(curve.pieces));
   }
   return curve;
 }
 
-IgesCurve IgesCurves::curve(const IgesEntity& entity, int depth) const {
+DrawnCurve IgesCurves::curve(const IgesEntity& entity, int depth) const {
   if (depth > deepest_) entity.fail("curves are in curves more than 32 deep");
-  IgesCurve found;
+  DrawnCurve found;
   if (entity.type == 126) {
     found = spline(entity);
   } else if (entity.type == 110) {
@@ -370,12 +350,8 @@ PointCurve read_iges(std::string_view text, const FileReading& reading, const Cu
       ++others[entity.type];
       continue;
     }
-    IgesCurve curve = curves.curve(entity);
-    DrawnChain chain{std::move(curve.pieces), std::move(curve.knots)};
-    chain.lines.assign(chain.pieces.size(), entity.line);
-    chain.layer = fmt::format("level {}", entity.level);
-    chain.handles.push_back(fmt::format("D{}", sequence));
-    parts.push_back(std::move(chain));
+    parts.emplace_back(curves.curve(entity), entity.line, fmt::format("level {}", entity.level),
+                       fmt::format("D{}", sequence));
   }
   std::vector<long> types;
   for (const auto& [type, count] : others) types.push_back(type);

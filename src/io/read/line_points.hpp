@@ -1,6 +1,5 @@
 #pragma once
-#include <fmt/format.h>
-
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/read/number_table.hpp"
 
 namespace phrame::inline v0 {
@@ -21,9 +20,7 @@ class LinePoints : public NumberTable {
   std::string header_place() const override { return place(0); }
   std::size_t rows() const override { return points_.size(); }
   std::size_t columns() const override { return 3; }
-  std::string place(std::size_t row) const override {
-    return fmt::format("line {}", points_[row].line);
-  }
+  std::string place(std::size_t row) const override { return line_place(points_[row].line); }
   using NumberTable::number;
   Rational number(std::size_t row, std::size_t column) const override {
     return points_[row].point[column];

@@ -23,6 +23,8 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+std::string line_place(long line) { return fmt::format("line {}", line); }
+
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const auto read = text.substr(0, offset);
   const auto line = 1 + std::count(read.begin(), read.end(), '\n');

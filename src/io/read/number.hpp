@@ -12,6 +12,9 @@ std::string_view trimmed(std::string_view text);
 /// Takes the first line off the text, and gives it without its end.
 std::string_view take_line(std::string_view& text);
 
+/// "line 12", the place of an error.
+std::string line_place(long line);
+
 /// "line:column" of the byte before `offset`, counted from 1; that of the first byte where there is
 /// none before it on its line.
 std::string line_and_column(std::string_view text, std::size_t offset);

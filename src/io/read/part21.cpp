@@ -11,8 +11,6 @@
 namespace phrame::inline v0 {
 namespace {
 
-std::string in_step_line(long line) { return fmt::format("line {}", line); }
-
 constexpr std::string_view step_blanks = " \t\r\n\f\v";
 
 bool is_name_letter(char c) {
@@ -74,7 +72,7 @@ class Part21Reader {
 
  private:
   [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(in_step_line(line_),
+    throw InputError(line_place(line_),
                      fmt::format("#{}: {}, not \"{}\"", instance_, reason,
                                  abbreviated(std::string(text_.substr(at_)), 40)));
   }
@@ -161,7 +159,7 @@ long number_of(std::string_view digits) {
 }  // namespace
 
 void Part21Entity::fail(const std::string& reason) const {
-  throw InputError(in_step_line(line), fmt::format("#{}={}: {}", instance, name, reason));
+  throw InputError(line_place(line), fmt::format("#{}={}: {}", instance, name, reason));
 }
 
 const Part21Value& Part21Entity::at(std::size_t k, Part21Value::Kind kind, const char* what) const {
@@ -185,6 +183,11 @@ Rational Part21Entity::number(const Part21Value& value) const {
 Rational Part21Entity::number(std::size_t k, const char* what) const {
   if (k >= values.size()) fail(fmt::format("{} is expected as parameter {}", what, k + 1));
   return number(values[k]);
+}
+
+long Part21Entity::whole_number(std::size_t k, long most, const char* what) const {
+  number(k, what);  // which has to be there
+  return whole_number(values[k], most);
 }
 
 std::vector<Rational> Part21Entity::numbers(std::size_t k, const char* what) const {
@@ -231,19 +234,19 @@ Part21File::Part21File(std::string_view text) {
     counted = at;
     const std::size_t end = end_of_statement(text, at);
     if (end == text.size())
-      throw InputError(in_step_line(line), "the statement that begins here has no \";\"");
+      throw InputError(line_place(line), "the statement that begins here has no \";\"");
     if (text[at] == '#') {
       const std::string_view statement = text.substr(at + 1, end - at - 1);
       const auto equals = std::min(statement.find('='), statement.size());
       const long number = number_of(trimmed(statement.substr(0, equals)));
       if (number < 0 || equals == statement.size())
-        throw InputError(in_step_line(line), "an instance \"#12=...\" is expected");
+        throw InputError(line_place(line), "an instance \"#12=...\" is expected");
       const std::string_view body = statement.substr(equals + 1);
       const std::size_t name = skip_blanks(body, 0);
       std::size_t name_end = name;
       while (name_end < body.size() && is_name_letter(body[name_end])) ++name_end;
       if (!entries_.insert({number, {body.substr(name, name_end - name), body, line}}).second)
-        throw InputError(in_step_line(line), fmt::format("#{} is there twice", number));
+        throw InputError(line_place(line), fmt::format("#{} is there twice", number));
     }
     at = skip_blanks(text, end + 1);
   }

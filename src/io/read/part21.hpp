@@ -35,6 +35,7 @@ struct Part21Entity {
   Rational number(std::size_t k, const char* what) const;
   std::vector<Rational> numbers(std::size_t k, const char* what) const;
   long whole_number(const Part21Value& value, long most) const;
+  long whole_number(std::size_t k, long most, const char* what) const;
   long reference(std::size_t k, const char* what) const;
   std::vector<long> references(std::size_t k, const char* what) const;
   bool flag(std::size_t k, const char* what) const;  ///< .T. or .F.

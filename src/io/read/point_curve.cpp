@@ -168,8 +168,7 @@ Settings read_comments(std::string_view text) {
     if (colon == std::string_view::npos) continue;
     const std::string key = lower_case(trimmed(content.substr(0, colon)));
     if (key == "kind" || key == "spacing" || key == "degree")
-      settings[key] = {std::string(trimmed(content.substr(colon + 1))),
-                       fmt::format("line {}", line)};
+      settings[key] = {std::string(trimmed(content.substr(colon + 1))), line_place(line)};
   }
   return settings;
 }

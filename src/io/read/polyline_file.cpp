@@ -37,7 +37,7 @@ class Lines {
   }
   long line() const { return line_; }
   [[noreturn]] void fail(const std::string& reason) const {
-    throw InputError(fmt::format("line {}", line_), reason);
+    throw InputError(line_place(line_), reason);
   }
 
  private:
@@ -203,7 +203,7 @@ std::vector<Chain> chains_of(const Graph& graph) {
     for (const std::size_t v : {graph.edges[k].from, graph.edges[k].to}) {
       edges_at(k, v).push_back(k);
       if (edges_at(k, v).size() > 2)
-        throw InputError(fmt::format("line {}", graph.edges[k].line),
+        throw InputError(line_place(graph.edges[k].line),
                          fmt::format("three lines meet in vertex {}: this is no curve", v + 1));
     }
   std::vector<bool> is_used(graph.edges.size(), false);

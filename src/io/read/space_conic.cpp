@@ -1,7 +1,5 @@
 #include "phrame/io/read/space_conic.hpp"
 
-#include <algorithm>
-
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -57,50 +55,22 @@ CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
   };
   const PlaneVector p = in_plane(from);
   const PlaneVector q = in_plane(to);
-  const auto square = [](const PlaneVector& v) { return v[0] * v[0] + v[1] * v[1]; };
+  const Rational square = plane_dot(p, p);
   CurvePieces pieces;
-  if (a == b && square(p) == square(q)) {
-    const Rational unit = 1 / square(p);
-    const PlaneVector end{unit * (p[0] * q[0] + p[1] * q[1]), unit * (p[0] * q[1] - p[1] * q[0])};
+  if (a == b && square == plane_dot(q, q)) {
+    const PlaneVector end{plane_dot(p, q) / square, plane_cross(p, q) / square};
     pieces = ellipse_arc(Ellipse{{0, 0}, p, {-p[1], p[0]}}, {1, 0}, end, is_growing);
   } else if (points_meet(from, to)) {
     const PlaneVector start = near_direction({p[0] / a, p[1] / b});
     pieces = ellipse_arc(Ellipse{{0, 0}, {a, 0}, {0, b}}, start, start, is_growing);
   } else {
-    const Rational turn = (p[0] * q[1] - p[1] * q[0]) * (is_growing ? 1 : -1);
+    const Rational turn = plane_cross(p, q) * (is_growing ? 1 : -1);
     pieces = ellipse_arc(EndpointArc{p, q, {a, b}, {1, 0}, turn < 0, is_growing});
   }
   pieces = in_space(conic, std::move(pieces));
   pieces.front().points.front() = from;
   pieces.back().points.back() = to;
   return pieces;
-}
-
-RationalBezier part_of(const RationalBezier& curve, const Rational& a, const Rational& b) {
-  using Homogeneous = std::array<Rational, 4>;
-  std::vector<Homogeneous> points;
-  for (std::size_t k = 0; k < curve.points.size(); ++k) {
-    const Rational w = curve.weights.empty() ? Rational(1) : curve.weights[k];
-    const Vector<Rational>& p = curve.points[k];
-    points.push_back({w * p[0], w * p[1], w * p[2], w});
-  }
-  // What is left of t, by de Casteljau's algorithm: the first point of each of its rows.
-  const auto up_to = [](std::vector<Homogeneous> row, const Rational& t) {
-    for (std::size_t n = 1; n < row.size(); ++n)
-      for (std::size_t k = row.size() - 1; k >= n; --k)
-        for (std::size_t c = 0; c < 4; ++c) row[k][c] = (1 - t) * row[k - 1][c] + t * row[k][c];
-    return row;
-  };
-  points = up_to(std::move(points), b);
-  std::ranges::reverse(points);
-  points = up_to(std::move(points), 1 - a / b);
-  std::ranges::reverse(points);
-  RationalBezier part;
-  for (const auto& [x, y, z, w] : points) {
-    part.points.push_back({x / w, y / w, z / w});
-    if (!curve.weights.empty()) part.weights.push_back(w);
-  }
-  return part;
 }
 
 }  // namespace phrame

@@ -32,7 +32,4 @@ CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
 /// v over its length, exactly or to within 2^−ellipse_bits. Throws InputError (no place) for 0.
 Vector<Rational> near_unit(const Vector<Rational>& v);
 
-/// The part of a Bézier curve from a to b, 0 ≤ a < b ≤ 1, as one on [0, 1].
-RationalBezier part_of(const RationalBezier& curve, const Rational& a, const Rational& b);
-
 }  // namespace phrame

@@ -9,6 +9,7 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/curve_choice.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/read/part21.hpp"
 #include "phrame/io/read/space_conic.hpp"
 #include "phrame/ph/curve/bspline.hpp"
@@ -26,20 +27,14 @@ struct StepEnd {
   std::optional<Rational> parameter = {};
 };
 
-/// Pieces of a curve; with knots where it is a spline.
-struct StepCurve {
-  CurvePieces pieces;
-  std::vector<Rational> knots = {};
-};
-
 class StepCurves {
  public:
   StepCurves(const Part21File& file, const CurveLimits& limits)
       : file_(file), limits_(limits), is_in_degrees_(has_degrees()) {}
 
   /// A curve that has ends, or goes around.
-  StepCurve curve(long number, const Part21Entity& from, int depth = 0) const;
-  StepCurve curve(const Entities& entities, int depth = 0) const;
+  DrawnCurve curve(long number, const Part21Entity& from, int depth = 0) const;
+  DrawnCurve curve(const Entities& entities, int depth = 0) const;
 
  private:
   bool has_degrees() const;
@@ -49,18 +44,18 @@ class StepCurves {
   Vector<Rational> vector(const Part21Entity& entity, std::size_t k, const char* what) const;
   Vector<Rational> place(long number, const Part21Entity& from, const char* name) const;
   SpaceConic conic(const Part21Entity& entity) const;
-  StepCurve spline(const Entities& entities) const;
-  StepCurve polyline(const Part21Entity& entity) const;
-  StepCurve composite(const Part21Entity& entity, int depth) const;
-  StepCurve edge(const Part21Entity& entity, int depth) const;
+  DrawnCurve spline(const Entities& entities) const;
+  DrawnCurve polyline(const Part21Entity& entity) const;
+  DrawnCurve composite(const Part21Entity& entity, int depth) const;
+  DrawnCurve edge(const Part21Entity& entity, int depth) const;
   StepEnd trim(const Part21Entity& entity, std::size_t k) const;
-  StepCurve between(long basis, const Part21Entity& from, const StepEnd& start, const StepEnd& end,
-                    bool is_along, int depth) const;
-  StepCurve line_between(const Part21Entity& line, const StepEnd& start, const StepEnd& end) const;
-  StepCurve arc(const Part21Entity& entity, const StepEnd& start, const StepEnd& end,
-                bool is_along) const;
-  StepCurve part_of_spline(const Part21Entity& from, StepCurve whole, StepEnd start, StepEnd end,
-                           bool is_along) const;
+  DrawnCurve between(long basis, const Part21Entity& from, const StepEnd& start, const StepEnd& end,
+                     bool is_along, int depth) const;
+  DrawnCurve line_between(const Part21Entity& line, const StepEnd& start, const StepEnd& end) const;
+  DrawnCurve arc(const Part21Entity& entity, const StepEnd& start, const StepEnd& end,
+                 bool is_along) const;
+  DrawnCurve part_of_spline(const Part21Entity& from, DrawnCurve whole, StepEnd start, StepEnd end,
+                            bool is_along) const;
 
   const Part21File& file_;
   const CurveLimits& limits_;
@@ -135,15 +130,14 @@ SpaceConic StepCurves::conic(const Part21Entity& entity) const {
 
 // The parameters of a complex instance are those of its parts, in their order; the name is that of
 // REPRESENTATION_ITEM.
-StepCurve StepCurves::spline(const Entities& entities) const {
+DrawnCurve StepCurves::spline(const Entities& entities) const {
   const Part21Entity& knots = *find_entity(entities, "B_SPLINE_CURVE_WITH_KNOTS");
   const bool is_complex = entities.size() > 1;
   const Part21Entity* base = is_complex ? find_entity(entities, "B_SPLINE_CURVE") : &knots;
   if (base == nullptr) knots.fail("there is no B_SPLINE_CURVE with it");
   const std::size_t first = is_complex ? 0 : 1;
   BSpline spline;
-  base->number(first, "the degree");
-  spline.degree = base->whole_number(base->values[first], limits_.max_degree);
+  spline.degree = base->whole_number(first, limits_.max_degree, "the degree");
   for (const long point : base->references(first + 1, "a list of points"))
     spline.points.push_back(place(point, *base, "CARTESIAN_POINT"));
   const std::size_t at = is_complex ? 0 : 6;
@@ -159,17 +153,11 @@ StepCurve StepCurves::spline(const Entities& entities) const {
   if (const auto* rational = find_entity(entities, "RATIONAL_B_SPLINE_CURVE"))
     spline.weights = rational->numbers(0, "a list of weights");
   if (const auto fault = fault_of(spline)) knots.fail(fault->reason);
-  StepCurve curve;
-  for (BezierPiece& piece : bezier_pieces(spline)) {
-    if (curve.knots.empty()) curve.knots.push_back(piece.lower);
-    curve.knots.push_back(piece.upper);
-    curve.pieces.push_back(std::move(piece.curve));
-  }
-  return curve;
+  return drawn_spline(spline);
 }
 
-StepCurve StepCurves::polyline(const Part21Entity& entity) const {
-  StepCurve curve;
+DrawnCurve StepCurves::polyline(const Part21Entity& entity) const {
+  DrawnCurve curve;
   std::optional<Vector<Rational>> last;
   for (const long number : entity.references(1, "a list of points")) {
     const Vector<Rational> p = place(number, entity, "CARTESIAN_POINT");
@@ -180,21 +168,15 @@ StepCurve StepCurves::polyline(const Part21Entity& entity) const {
   return curve;
 }
 
-/// Backwards.
-void turn_back(StepCurve& curve) {
-  turn_back(curve.pieces);
-  curve.knots.clear();
-}
-
-StepCurve StepCurves::composite(const Part21Entity& entity, int depth) const {
-  StepCurve curve;
+DrawnCurve StepCurves::composite(const Part21Entity& entity, int depth) const {
+  DrawnCurve curve;
   for (const long number : entity.references(1, "a list of segments")) {
     const Entities entities = instance(number, entity);
     const Part21Entity* segment = find_entity(entities, "COMPOSITE_CURVE_SEGMENT");
     if (segment == nullptr)
       entity.fail(
           fmt::format("#{} is no COMPOSITE_CURVE_SEGMENT but {}", number, entities.front().name));
-    StepCurve next = this->curve(segment->reference(2, "a curve"), *segment, depth);
+    DrawnCurve next = this->curve(segment->reference(2, "a curve"), *segment, depth);
     if (!segment->flag(1, "the sense")) turn_back(next);
     std::ranges::move(next.pieces, std::back_inserter(curve.pieces));
   }
@@ -216,7 +198,7 @@ StepEnd StepCurves::trim(const Part21Entity& entity, std::size_t k) const {
   return end;
 }
 
-StepCurve StepCurves::edge(const Part21Entity& entity, int depth) const {
+DrawnCurve StepCurves::edge(const Part21Entity& entity, int depth) const {
   const auto vertex = [&](std::size_t k) {
     const Entities entities = instance(entity.reference(k, "a vertex"), entity);
     const Part21Entity* point = find_entity(entities, "VERTEX_POINT");
@@ -227,8 +209,8 @@ StepCurve StepCurves::edge(const Part21Entity& entity, int depth) const {
                  entity.flag(4, "the sense"), depth);
 }
 
-StepCurve StepCurves::line_between(const Part21Entity& line, const StepEnd& start,
-                                   const StepEnd& end) const {
+DrawnCurve StepCurves::line_between(const Part21Entity& line, const StepEnd& start,
+                                    const StepEnd& end) const {
   const auto place_of = [&](const StepEnd& at) {
     if (at.place) return *at.place;
     const Entities entities = instance(line.reference(2, "a vector"), line);
@@ -243,10 +225,10 @@ StepCurve StepCurves::line_between(const Part21Entity& line, const StepEnd& star
   return {{{{place_of(start), place_of(end)}}}};
 }
 
-StepCurve StepCurves::arc(const Part21Entity& entity, const StepEnd& start, const StepEnd& end,
-                          bool is_along) const {
+DrawnCurve StepCurves::arc(const Part21Entity& entity, const StepEnd& start, const StepEnd& end,
+                           bool is_along) const {
   const SpaceConic about = conic(entity);
-  return of_entity(entity, [&]() -> StepCurve {
+  return of_entity(entity, [&]() -> DrawnCurve {
     if (start.place && end.place) return {arc_between(about, *start.place, *end.place, is_along)};
     if (!start.parameter || !end.parameter)
       entity.fail("one end is a place and the other a parameter");
@@ -257,10 +239,10 @@ StepCurve StepCurves::arc(const Part21Entity& entity, const StepEnd& start, cons
   });
 }
 
-StepCurve StepCurves::part_of_spline(const Part21Entity& from, StepCurve whole, StepEnd start,
-                                     StepEnd end, bool is_along) const {
+DrawnCurve StepCurves::part_of_spline(const Part21Entity& from, DrawnCurve whole, StepEnd start,
+                                      StepEnd end, bool is_along) const {
   if (!is_along) std::swap(start, end);
-  StepCurve part;
+  DrawnCurve part;
   if (start.parameter && end.parameter && !whole.knots.empty()) {
     const Rational& a = *start.parameter;
     const Rational& b = *end.parameter;
@@ -268,16 +250,7 @@ StepCurve StepCurves::part_of_spline(const Part21Entity& from, StepCurve whole, 
       from.fail(fmt::format("its part from {} to {} is not between its knots {} and {}",
                             as_written(a), as_written(b), as_written(whole.knots.front()),
                             as_written(whole.knots.back())));
-    for (std::size_t k = 0; k < whole.pieces.size(); ++k) {
-      const Rational lower = std::max(a, whole.knots[k]);
-      const Rational upper = std::min(b, whole.knots[k + 1]);
-      if (lower >= upper) continue;
-      const Rational width = whole.knots[k + 1] - whole.knots[k];
-      if (part.knots.empty()) part.knots.push_back(lower);
-      part.knots.push_back(upper);
-      part.pieces.push_back(part_of(whole.pieces[k], Rational((lower - whole.knots[k]) / width),
-                                    Rational((upper - whole.knots[k]) / width)));
-    }
+    part = part_between(whole, a, b);
   } else {
     if (!start.place || !end.place ||
         !points_meet(*start.place, whole.pieces.front().points.front()) ||
@@ -289,8 +262,8 @@ StepCurve StepCurves::part_of_spline(const Part21Entity& from, StepCurve whole, 
   return part;
 }
 
-StepCurve StepCurves::between(long basis, const Part21Entity& from, const StepEnd& start,
-                              const StepEnd& end, bool is_along, int depth) const {
+DrawnCurve StepCurves::between(long basis, const Part21Entity& from, const StepEnd& start,
+                               const StepEnd& end, bool is_along, int depth) const {
   const Entities entities = instance(basis, from);
   const Part21Entity& entity = entities.front();
   if (entity.name == "LINE") return line_between(entity, start, end);
@@ -301,11 +274,11 @@ StepCurve StepCurves::between(long basis, const Part21Entity& from, const StepEn
   return part_of_spline(from, curve(entities, depth + 1), start, end, is_along);
 }
 
-StepCurve StepCurves::curve(long number, const Part21Entity& from, int depth) const {
+DrawnCurve StepCurves::curve(long number, const Part21Entity& from, int depth) const {
   return curve(instance(number, from), depth + 1);
 }
 
-StepCurve StepCurves::curve(const Entities& entities, int depth) const {
+DrawnCurve StepCurves::curve(const Entities& entities, int depth) const {
   const Part21Entity& entity = entities.front();
   constexpr int deepest = 32;
   if (depth > deepest) entity.fail("curves are in curves more than 32 deep");
@@ -373,11 +346,9 @@ std::vector<long> single_curves(const Part21File& file) {
   return curves;
 }
 
-DrawnChain chain_of(StepCurve curve, const Entities& entities, const std::string& layer) {
-  DrawnChain chain{std::move(curve.pieces), std::move(curve.knots)};
-  chain.lines.assign(chain.pieces.size(), entities.front().line);
-  chain.layer = layer;
-  chain.handles.push_back(fmt::format("#{}", entities.front().instance));
+DrawnChain chain_of(DrawnCurve curve, const Entities& entities, const std::string& layer) {
+  DrawnChain chain(std::move(curve), entities.front().line, layer,
+                   fmt::format("#{}", entities.front().instance));
   if (const std::string name = name_of(entities); !name.empty()) chain.handles.push_back(name);
   return chain;
 }
@@ -428,8 +399,8 @@ PointCurve read_step(std::string_view text, const FileReading& reading, const Cu
   if (chains.empty()) {
     if (singles.empty()) throw InputError("line 1", "there is no curve in the STEP file");
     const std::size_t second = std::min<std::size_t>(1, singles.size() - 1);
-    const std::size_t at = chosen_curve(
-        labels, reading.pick, fmt::format("line {}", file.entries().at(singles[second]).line));
+    const std::size_t at =
+        chosen_curve(labels, reading.pick, line_place(file.entries().at(singles[second]).line));
     const Entities entities = file.instance(singles[at]);
     chains.push_back(chain_of(curves.curve(entities), entities, ""));
     return {labels[at].name, chosen_chain(chains, ""), notes_on(file)};

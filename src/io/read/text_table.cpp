@@ -138,11 +138,9 @@ std::vector<std::string> header_names(std::string_view line) {
   return names;
 }
 
-std::string TextTable::header_place() const { return fmt::format("line {}", header_line_); }
+std::string TextTable::header_place() const { return line_place(header_line_); }
 
-std::string TextTable::place(std::size_t row) const {
-  return fmt::format("line {}", rows_[row].line);
-}
+std::string TextTable::place(std::size_t row) const { return line_place(rows_[row].line); }
 
 TextTable::TextTable(std::string_view text, const TableForm& reading) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -162,8 +160,7 @@ TextTable::TextTable(std::string_view text, const TableForm& reading) {
   if (names_.empty() && rows_.empty())
     throw InputError("line 1", "a table of numbers is wanted, below the names of its columns");
   if (rows_.empty())
-    throw InputError(fmt::format("line {}", header_line_ + 1),
-                     fmt::format("there are no {}", reading.row));
+    throw InputError(line_place(header_line_ + 1), fmt::format("there are no {}", reading.row));
   if (reading.reads_comment && names_.empty() && !comment_.empty()) take_comment_for_header();
   take_units_off();
   require_equal_widths();
@@ -188,7 +185,7 @@ void TextTable::add(std::string_view content, long line) {
     if (is_first) separator_ = separator_of(content);
     row = fields(content, separator_);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("line {}", line), error.reason());
+    throw InputError(line_place(line), error.reason());
   }
   if (is_first && (std::none_of(row.begin(), row.end(), is_like_number) ||
                    std::find(row.begin(), row.end(), "t") != row.end())) {
@@ -215,7 +212,7 @@ void TextTable::require_equal_widths() const {
   for (const Row& row : rows_)
     if (row.fields.size() != columns())
       throw InputError(
-          fmt::format("line {}", row.line),
+          line_place(row.line),
           fmt::format("{} here, but {} in {}", counted(row.fields.size(), "number"), columns(),
                       names_.empty() ? "the first line of them" : "the header"));
 }
@@ -241,8 +238,7 @@ void TextTable::take_units_off() {
   for (std::size_t k = 0; k < first.size(); ++k)
     if (units_[k].empty()) units_[k] = unit_in(first[k]);
   rows_.erase(rows_.begin());
-  if (rows_.empty())
-    throw InputError(fmt::format("line {}", header_line_ + 1), "there are only units");
+  if (rows_.empty()) throw InputError(line_place(header_line_ + 1), "there are only units");
 }
 
 /// A comma is a decimal one where no number has a point and at least one can be read in no other

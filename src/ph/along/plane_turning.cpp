@@ -155,9 +155,8 @@ void add_part(DirectionChain& chain, const Path& path, std::size_t segment,
 
 /// The angle over 2π, in (−1/4, 1/4), from a to b.
 Real share_of_turn(const Vector<Real>& a, const Vector<Real>& b, const Vector<Rational>& normal) {
-  const Real x = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  const Vector<Real> bend = cross(a, b);
-  const Real y = Real(normal[0]) * bend[0] + Real(normal[1]) * bend[1] + Real(normal[2]) * bend[2];
+  const Real x = dot(a, b);
+  const Real y = dot(as_reals(normal), cross(a, b));
   const Rational squared = dot(normal, normal);
   const bool is_exact = x.exact() && y.exact();
   if (is_exact) {

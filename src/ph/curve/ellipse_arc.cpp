@@ -14,7 +14,6 @@ namespace {
 PlaneVector plane_sum(const PlaneVector& a, const Rational& c, const PlaneVector& b) {
   return {a[0] + c * b[0], a[1] + c * b[1]};
 }
-Rational plane_dot(const PlaneVector& a, const PlaneVector& b) { return a[0] * b[0] + a[1] * b[1]; }
 /// By a right angle.
 PlaneVector quarter_turned(const PlaneVector& a) { return {-a[1], a[0]}; }
 /// a·b as complex numbers.
@@ -55,6 +54,11 @@ RationalBezier short_arc(const Ellipse& ellipse, const PlaneVector& p, const Pla
 }
 
 }  // namespace
+
+Rational plane_dot(const PlaneVector& a, const PlaneVector& b) { return a[0] * b[0] + a[1] * b[1]; }
+Rational plane_cross(const PlaneVector& a, const PlaneVector& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
 
 Rational near_root(const Rational& x) {
   if (const auto root = square_root(x)) return *root;

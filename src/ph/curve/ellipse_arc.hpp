@@ -18,6 +18,9 @@ inline constexpr long ellipse_bits = 100;
 Rational near_root(const Rational& x);
 /// A point or vector of the plane.
 using PlaneVector = std::array<Rational, 2>;
+Rational plane_dot(const PlaneVector& a, const PlaneVector& b);  ///< a·b
+Rational plane_cross(const PlaneVector& a,
+                     const PlaneVector& b);  ///< > 0 where b is to the left of a
 /// The point of the unit circle in the direction of v ≠ 0: exactly where that is a fraction, else
 /// near it.
 PlaneVector near_direction(const PlaneVector& v);

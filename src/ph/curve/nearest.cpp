@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -51,12 +52,8 @@ OfPoint squared_distance(const Vector<Rational>& p) {
     return sum;
   };
   const auto at = [p](const Vector<Real>& r) {
-    Real sum = Rational(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Real way = r[k] + Rational(-p[k]);
-      sum = sum + way * way;
-    }
-    return sum;
+    const Vector<Real> way = r + as_reals(Rational(-1) * p);
+    return dot(way, way);
   };
   return {along, series, at};
 }

@@ -104,6 +104,13 @@ class LengthSum {
 
 OffsetLength length(const Offset& offset) { return LengthSum(offset).make(); }
 
+Rational signed_area(const PhPath& path) {
+  Rational area;
+  for (const Curve& curve : path.segments())
+    area += antiderivative(area_rate(RationalCurve(position(curve))).numerator())(1);
+  return area;
+}
+
 std::optional<DefiniteIntegral> signed_area(const Offset& offset) {
   for (const bool meets : offset.meets)
     if (!meets) return std::nullopt;

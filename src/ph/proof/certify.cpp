@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/argument.hpp"
+#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/modular.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
@@ -61,11 +62,6 @@ void place_discs(Certificate& c, const std::optional<Rational>& slack, const Rat
     }
     c.bits += missing;
   }
-}
-
-/// Half a unit in the last place of a decimal with so many digits.
-Rational half_unit(const Rational& value, long digits) {
-  return 5 * power_of_ten((value == 0 ? -1 : decimal_exponent(abs(value))) - digits);
 }
 
 /// A claim, and what the angle may be off for it to be proved: 0 where no logarithm is needed.

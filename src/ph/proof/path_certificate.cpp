@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -34,13 +35,6 @@ const AngleClaim* claim_at(const Certificate& c, const Rational& t) {
   return found == c.claims.end() ? nullptr : &*found;
 }
 
-/// The number of the segment, the later one at a joint.
-PathParameter place_on(std::size_t count, const Rational& t) {
-  const auto last = static_cast<long>(count) - 1;
-  const long k = std::min(last, static_cast<long>(floor(t)));
-  return {static_cast<std::size_t>(k), t - k};
-}
-
 /// Are a and b, not 0, the same but for a real factor?
 bool are_parallel(const RationalQuaternion& a, const RationalQuaternion& b) {
   const std::array<Rational, 4> x{a.u, a.v, a.p, a.q};
@@ -58,11 +52,6 @@ std::string objection_to_joint(const Curve& before, const Curve& after) {
                     evaluate(without_real_content(after.preimage()), 0)))
     return "the Euler-Rodrigues frame does not go on";
   return "";
-}
-
-/// Half a unit in the last place of a decimal with so many digits.
-Rational half_unit_of(const Rational& value, long digits) {
-  return 5 * power_of_ten((value == 0 ? -1 : decimal_exponent(abs(value))) - digits);
 }
 
 /// Sums of what the segments claim, from the start to each joint, and what they lack.
@@ -107,7 +96,7 @@ AngleClaim rounded_claim(const Real& theta, const Rational& t, long digits) {
   const Rational value = parse_rational(claim.theta);
   const std::optional<Rational>& exact = theta.exact();
   if (t == 0 || (exact && *exact == value && value != 0)) return claim;
-  Rational radius = half_unit_of(value, digits);
+  Rational radius = half_unit(value, digits);
   if (exact && abs(*exact - value) == radius) radius *= 2;
   claim.radius = upper_bound_text(radius, 1);
   return claim;
@@ -126,11 +115,8 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
   PathCertificate certificate;
   std::vector<std::vector<Rational>> places(curves.size());
   for (const Rational& t : at) {
-    locate_inside(path, t);  // which throws outside
-    if (t < 0 || t > path.end())
-      throw DomainError("certify: t = " + to_string(t) + " is not on the path");
+    const PathParameter place = locate_inside(path, t);
     certificate.claims.push_back(rounded_claim(angle.value(t), t, digits));
-    const PathParameter place = place_on(curves.size(), t);
     const auto ask = [&](std::size_t k, const Rational& s) {
       if (std::ranges::find(places[k], s) == places[k].end()) places[k].push_back(s);
     };
@@ -145,7 +131,7 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
           certify(curves[k], Reference::euler_rodrigues, places[k], digits + of_count + more));
     const SegmentSums sums(certificate.segments);
     if (std::ranges::all_of(certificate.claims, [&](const AngleClaim& claim) {
-          return follows(claim, sums.at(place_on(curves.size(), claim.t)).value());
+          return follows(claim, sums.at(locate_inside(path, claim.t)).value());
         }))
       return certificate;
   }
@@ -155,18 +141,14 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
 
 std::vector<Statement> verify(const PathCertificate& c) {
   std::vector<Statement> list;
-  std::vector<bool> is_proved;
-  for (std::size_t k = 0; k < c.segments.size(); ++k) {
+  std::size_t proved = c.segments.size();  // the first segment with an angle that is not
+  for (std::size_t k = 0; k < c.segments.size(); ++k)
     for (Statement& statement : verify(c.segments[k])) {
+      if (!statement.is_proved() && std::holds_alternative<AngleClaim>(statement.what))
+        proved = std::min(proved, k);
       statement.segment = k;
       list.push_back(std::move(statement));
     }
-    // What the angles of a segment rest on is that they are proved.
-    is_proved.push_back(std::ranges::all_of(list, [k](const Statement& statement) {
-      return statement.segment != k || statement.is_proved() ||
-             !std::holds_alternative<AngleClaim>(statement.what);
-    }));
-  }
   std::size_t joined = 0;  // the last joint up to which all are proved
   for (std::size_t k = 1; k < c.segments.size(); ++k) {
     const std::string objection = objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve);
@@ -178,10 +160,10 @@ std::vector<Statement> verify(const PathCertificate& c) {
     const auto objection = [&]() -> std::string {
       if (claim.t < 0 || claim.t > Rational(static_cast<long>(c.segments.size())))
         return "t is not on the path";
-      const PathParameter at = place_on(c.segments.size(), claim.t);
+      const PathParameter at = locate_inside(c.segments.size(), claim.t);
       if (at.segment > joined) return "rests on the joints";
-      for (std::size_t k = 0; k < at.segment + (at.t == 0 ? 0 : 1); ++k)
-        if (!is_proved[k]) return fmt::format("rests on the angles of segment {}", k);
+      if (proved < at.segment + (at.t == 0 ? 0 : 1))
+        return fmt::format("rests on the angles of segment {}", proved);
       const auto sum = sums.at(at);
       if (!sum) return "the segments do not claim the angles that it is the sum of";
       return follows(claim, *sum) ? "" : "it does not follow from the angles of the segments";

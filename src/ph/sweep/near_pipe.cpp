@@ -1,8 +1,8 @@
-// The tangent is q i q* of a rational quaternion q, over |q|². Along an arc about the axis a = cos
-// φ f₂ + sin φ f₃ by the angle α it is that of q·A, A = 1 − t + tωB, with B = cos(α/2) +
-// sin(α/2)(cos φ j
-// + sin φ k): rational, if tan(α/4) and tan(φ/2) are. |A|² is the weight of an arc with the weights
-// 1, ω cos(α/2), ω². From the center a point is at R·q A u A* q*, u = i × a, since a × u = i.
+// The tangent is q i q* of a rational quaternion q, over |q|². Along an arc by the angle α about
+// the axis a = cos φ f₂ + sin φ f₃ it is that of q·A with A = 1 − t + tωB and
+//   B = cos(α/2) + sin(α/2)(cos φ j + sin φ k),
+// rational where tan(α/4) and tan(φ/2) are. |A|² is the weight of an arc with the weights 1,
+// ω cos(α/2), ω². From the center a point is at R·q A u A* q*, u = i × a, since a × u = i.
 #include "phrame/ph/sweep/near_pipe.hpp"
 
 #include <fmt/format.h>
@@ -37,10 +37,6 @@ RationalQuaternion frame_along(const Vector<Rational>& tangent) {
   return {1 + unit * tangent[0], 0, -unit * tangent[2], unit * tangent[1]};
 }
 
-Vector<Rational> at(const Vector<Polynomial>& v, const Rational& t) {
-  return {v[0](t), v[1](t), v[2](t)};
-}
-
 /// The share of the way that the line has gone at t is that of the given one.
 PipePiece line_from(PipeEnd& from, const RationalCurve& given) {
   const Vector<Rational> start = point(given, 0);
@@ -61,8 +57,8 @@ PipePiece line_from(PipeEnd& from, const RationalCurve& given) {
 }
 
 PipePiece arc_from(PipeEnd& from, const RationalCurve& given, const Vector<Rational>& axis) {
-  const Vector<Rational> first = at(given.direction(), 0);
-  const Vector<Rational> last = at(given.direction(), 1);
+  const Vector<Rational> first = evaluate(given.direction(), 0);
+  const Vector<Rational> last = evaluate(given.direction(), 1);
   const Rational sizes = near_root(dot(first, first) * dot(last, last));
   const auto [cosine, sine] =
       near_direction({sizes + dot(first, last), near_root(dot(axis, axis))});  // of half the angle
@@ -92,7 +88,7 @@ PipePiece arc_from(PipeEnd& from, const RationalCurve& given, const Vector<Ratio
   PipePiece piece{{}, norm(A)};
   for (std::size_t k = 0; k < 3; ++k)
     piece.numerator[k] = center[k] * piece.weight + scale * out[k];
-  from = {Rational(1 / piece.weight(1)) * at(piece.numerator, 1), q * turn};
+  from = {Rational(1 / piece.weight(1)) * evaluate(piece.numerator, 1), q * turn};
   return piece;
 }
 
@@ -124,9 +120,9 @@ NearPipe near_pipe(const Path& path) {
     const RationalCurve* given = rational_curve(path.segments()[k]);
     if (given == nullptr || degree(*given) > 2)
       throw DomainError(fmt::format("near_pipe: segment {} is neither a line nor an arc", k));
-    const Vector<Rational> first = at(given->direction(), 0);
+    const Vector<Rational> first = evaluate(given->direction(), 0);
     if (!end) end = PipeEnd{point(*given, 0), frame_along(first)};
-    const Vector<Rational> axis = cross(first, at(given->direction(), 1));
+    const Vector<Rational> axis = cross(first, evaluate(given->direction(), 1));
     const bool is_line = binormal(*given) == Vector<Polynomial>{};
     if (!is_line && axis == Vector<Rational>{})
       throw DomainError(fmt::format("near_pipe: segment {} is half a turn or more", k));
