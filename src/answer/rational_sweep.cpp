@@ -15,8 +15,7 @@ std::vector<RationalFramePiece> twist_frames(const Path& path, const RationalSwe
   if (!ph)
     throw DomainError(
         "sweep: the path is not PH: of rational frames it has the rotation-minimizing one, and "
-        "none "
-        "of minimal twist");
+        "none of minimal twist");
   const MinimalTwist mtf =
       minimal_twist(PathAngle(path), query.start, end_of_frame(query.end_normal));
   FrameEnds ends{mtf.from().exact.value(), {}};

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
-#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -44,8 +44,7 @@ Curve curve_with_tangents(const Path& path, std::size_t k, const Vector<Rational
 PhPath path_with_tangents(const Path& path) {
   PhPath result(curve_with_tangents(path, 0, {}));
   for (std::size_t k = 1; k < path.segments().size(); ++k)
-    result.append(
-        curve_with_tangents(path, k, evaluate(position(result.segments().back()), Rational(1))));
+    result.append(curve_with_tangents(path, k, end_point(result.segments().back())));
   return result;
 }
 

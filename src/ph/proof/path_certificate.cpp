@@ -11,6 +11,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/verify.hpp"
@@ -46,7 +47,7 @@ bool are_parallel(const RationalQuaternion& a, const RationalQuaternion& b) {
 }
 
 std::string objection_to_joint(const Curve& before, const Curve& after) {
-  if (evaluate(position(before), Rational(1)) != after.start())
+  if (end_point(before) != after.start())
     return "the segment does not begin where the one before ends";
   if (!are_parallel(evaluate(without_real_content(before.preimage()), 1),
                     evaluate(without_real_content(after.preimage()), 0)))
