@@ -112,7 +112,7 @@ def check_command_line(folder):
     for name, text in (("mixed", MIXED), ("not-ph", NOT_PH), ("cusp", CUSP)):
         (here / f"{name}.json").write_text(text)
     examples = sorted([*(ROOT / "examples" / "curves").iterdir(), *(ROOT / "examples" / "any").iterdir()])
-    every = 1 if EVERYTHING else 5  # of them, every day
+    every = 1 if EVERYTHING else 8  # of them, every day
     for curve in [*sorted(here.glob("*.json")), *examples[::every]]:
         for call in (["angle", curve, "--at", "0,1/2,1"], ["angle", curve, "--frame", "frenet", "--at", "1/3"],
                      ["angle", curve, "--up", "1,2,3", "--at", "1", "--theta0", "pi/4"], ["angle", curve, "--form", "real"],
