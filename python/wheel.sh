@@ -83,8 +83,9 @@ try() {  # PYTHON WHEEL
 
 rm -f "$wheels"/*.whl
 stable=
-for python in "${pythons[@]}"; do
-  number=$(version "$python") || fail "not a Python: $python"
+for name in "${pythons[@]}"; do
+  number=$(version "$name") || fail "not a Python: $name"
+  python=$("$name" -c 'import sys; print(sys.executable)')  # pip takes no name
   echo "wheel: CPython $number"
   wheel=$stable
   [[ -n $wheel ]] || build "$python"
