@@ -19,7 +19,8 @@ inline constexpr std::size_t most_products = 32;
 inline long bit_length(TwoWords x) {
   const TwoWords size = x < 0 ? -x : x;
   const auto high = static_cast<ulong>(size >> 64);
-  return high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<ulong>(size));
+  return static_cast<long>(high != 0 ? 64 + std::bit_width(high)
+                                     : std::bit_width(static_cast<ulong>(size)));
 }
 inline int sign(const Integer& x) { return x.sign(); }
 inline int sign(TwoWords x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }

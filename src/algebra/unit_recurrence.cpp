@@ -6,7 +6,7 @@
 namespace phrame::inline v0 {
 namespace {
 
-long bits_for(std::size_t count) { return std::bit_width(count); }
+long bits_for(std::size_t count) { return static_cast<long>(std::bit_width(count)); }
 
 }  // namespace
 

@@ -44,7 +44,7 @@ struct FixedSeries {
   long most = 0;            ///< none of these has more bits
   double left_over = 0;     ///< by the steps, in ‖…‖
 
-  explicit FixedSeries(std::size_t last) : window(last) {}
+  explicit FixedSeries(std::size_t looked_at) : window(looked_at) {}
   void push(Number x);
   /// A step that rounded down, and that took `count` coefficients with an error of 2^−bits each
   /// times numbers of so many bits.

@@ -129,7 +129,7 @@ template <class Number>
 std::optional<UnitSeries> series_by(const UnitQuotient& f, const EndOfSeries& end, const Aim& aim) {
   const auto fits = [](const FixedSeries<Number>& series) {
     return std::same_as<Number, Integer> ||
-           series.most + std::bit_width(2 * series.c.size()) <= most_factor_bits;
+           series.most + static_cast<long>(std::bit_width(2 * series.c.size())) <= most_factor_bits;
   };
   RootRecurrence<Number> root(f, aim.Q, aim.most_bits);
   QuotientRecurrence<Number> quotient(f, aim.most_bits);

@@ -90,8 +90,8 @@ std::optional<RealBall> rational_change(const RationalFunction& f,
   const Polynomial polynomial = antiderivative(whole.quotient);
   const RealBall known(polynomial(1) - polynomial(0), bits);
   if (repeated.is_constant()) return known;
-  const long most_bits = 16 * (bits + repeated.degree());
-  for (long more = bits + 2 * repeated.degree(); more <= most_bits; more *= 2)
+  const long limit = 16 * (bits + repeated.degree());
+  for (long more = bits + 2 * repeated.degree(); more <= limit; more *= 2)
     if (const auto found = change(repeated, simple, slope, whole.remainder, more);
         found && found->is_accurate(bits))
       return add(known, *found, bits);

@@ -99,7 +99,9 @@ TEST_CASE(
     const auto& wanted = truth()[is_smooth ? "smooth" : "even"];
     check_near(twist.squared_rate(), wanted["squared_rate"]);
     if (is_smooth) check_near(twist.squared_slope(), wanted["squared_slope"]);
-    for (const auto& [t, at] : wanted["at"].items()) {
+    for (const auto& item : wanted["at"].items()) {
+      const std::string t = item.key();
+      const auto& at = item.value();
       CAPTURE(t);
       const Place place = locate_inside(3, parse_rational(t));
       const Frame<Real> frame = twist.frame(place);

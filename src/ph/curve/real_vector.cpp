@@ -52,7 +52,7 @@ Real sum_of(std::vector<Real> terms) {
     if (x.exact()) exact += *x.exact();
   std::erase_if(terms, [](const Real& x) { return x.exact().has_value(); });
   if (terms.empty()) return exact;
-  const long guard = std::bit_width(terms.size());
+  const auto guard = static_cast<long>(std::bit_width(terms.size()));
   return cached(Real([exact, terms = std::move(terms), guard](long bits) {
     const long more = bits + 8;
     RealBall sum(exact, more + guard);

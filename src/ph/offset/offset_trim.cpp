@@ -436,15 +436,15 @@ class Trimmer {
     const RationalCurve& b = stroke_.branches.curves[x.second_segment];
     if (is_line(a) && is_line(b)) return {Real(share_up_to(a, b)), Real(share_up_to(b, a))};
     // Rational often.
-    const auto [s, t] = narrowed(*series_, x, 2 * place_bits);
-    const Rational p = simplest_between(s.lower(), s.upper());
-    const Rational q = simplest_between(t.lower(), t.upper());
+    const auto found = narrowed(*series_, x, 2 * place_bits);
+    const Rational p = simplest_between(found.first.lower(), found.first.upper());
+    const Rational q = simplest_between(found.second.lower(), found.second.upper());
     if (bits_of(p) + bits_of(q) < 2 * place_bits && point(a, p) == point(b, q))
       return {Real(p), Real(q)};
     const auto real = [&](bool is_first) {
       Crossing near = x;
-      near.first_t = s;
-      near.second_t = t;
+      near.first_t = found.first;
+      near.second_t = found.second;
       return cached(Real(Real::Enclosure([series = series_, near, is_first](long bits) {
         const auto both = narrowed(*series, near, bits);
         return is_first ? both.first : both.second;
@@ -634,9 +634,11 @@ class Reunion {
  private:
   OffsetPart whole(const OffsetPart& part) const {
     const auto& [piece, lower, upper] = origins_[part.piece];
-    const auto along = [&](const Real& t) { return Real(lower) + Real(upper - lower) * t; };
     if (lower == 0 && upper == 1) return {piece, part.from, part.to};
-    return {piece, cached(along(part.from)), cached(along(part.to))};
+    const auto along = [&from = lower, width = upper - lower](const Real& t) {
+      return cached(Real(from) + Real(width) * t);
+    };
+    return {piece, along(part.from), along(part.to)};
   }
 
   static bool goes_on(const OffsetPart& a, const OffsetPart& b) {

@@ -75,7 +75,7 @@ PipePiece arc_from(PipeEnd& from, const RationalCurve& given, const Vector<Ratio
                                Rational(ratio * turn.q) * t};
   const RationalQuaternion& q = from.frame;
   const QuaternionPolynomial Q = QuaternionPolynomial{{q.u}, {q.v}, {q.p}, {q.q}} * A;
-  const auto radial = [&](const auto& frame) {
+  const auto radial = [c = c, s = s](const auto& frame) {
     const auto j = rotated_j(frame);
     const auto k = rotated_k(frame);
     auto sum = j;
