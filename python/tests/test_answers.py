@@ -114,3 +114,21 @@ def test_certificates():
     value = wrong["claims"][0]["theta"] if "claims" in wrong else wrong["values"][0]["theta"]
     text = certificate.json().replace(value, value[:-3] + ("1" if value[-3] != "1" else "2") + value[-2:])
     assert not phrame.Certificate.from_json(text).is_proved()
+
+
+def test_certificates_of_splines():
+    spline = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "spline")
+    certificate = spline.certify(digits=30)
+    assert certificate.is_proved() and certificate.curve == spline and certificate.curve.name == "spline"
+    (one,), (both,) = QUINTIC.certify(digits=30).claims, certificate.claims  # one curve in two parts
+    assert both[0] == 2 and both[1] == one[1]
+    again = phrame.Certificate.from_json(certificate.json())
+    assert again == certificate and hash(again) == hash(certificate) and "spline" in repr(again)
+    apart = json.loads(certificate.json())
+    apart["segments"].reverse()
+    apart = phrame.Certificate.from_json(json.dumps(apart))
+    assert not apart.is_proved()
+    with pytest.raises(phrame.DomainError, match="^curve: the segments"):
+        apart.curve
+    with pytest.raises(phrame.DomainError, match="^frame: \"frenet\" is for single curves"):
+        spline.certify(frame="frenet")

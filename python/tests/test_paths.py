@@ -22,8 +22,8 @@ HELIX = phrame.Path.expressions("cos(s)", "sin(s)", "s", 0, "2*pi")
 MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "mixed")
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
 OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
-          "squared_curvature", "torsion_function", "certify")
-OF_PH = ("erf_twist",)
+          "squared_curvature", "torsion_function")
+OF_PH = ("erf_twist", "certify")
 
 
 METHODS = ("certify", "json")

@@ -33,7 +33,7 @@ def values():
         phrame.RationalTwist: [twist.rational(), twist.rational(gamma="3/4"), twist.rational(degree=1, free_ends=True)],
         phrame.RationalTwistPiece: [*twist.rational(subdivide=["inflections", "1/2"], proved=False).pieces, twist.rational().pieces[0].other],
         phrame.CheckResult: [QUINTIC.check(ts, QUINTIC.frames(ts)[:, 1]), cubic.check(ts, cubic.frames(ts, kind="frenet")[:, 1])],
-        phrame.Certificate: [QUINTIC.certify(at=["1/2"], digits=20)],
+        phrame.Certificate: [QUINTIC.certify(at=["1/2"], digits=20), two.certify(digits=5)],
         phrame.SweptBody: [phrame.sweep(cubic, "polygon:3,1/9", sections=3),
                            phrame.sweep(QUINTIC, "polygon:3,1/9", normal_tolerance="30deg")],
         phrame.ReferenceCurve: phrame.reference("plane")[:2],
