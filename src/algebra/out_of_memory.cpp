@@ -99,6 +99,9 @@ void* gmp_reallocated(void* old, std::size_t, std::size_t size) { return realloc
 /// of memory, is no reason to leave GMP: FLINT and Arb ask for memory often enough.
 struct LastFreed {
   void* block = nullptr;
+  LastFreed() = default;
+  LastFreed(const LastFreed&) = delete;
+  LastFreed& operator=(const LastFreed&) = delete;
   ~LastFreed() { std::free(block); }
 };
 thread_local LastFreed last_freed;

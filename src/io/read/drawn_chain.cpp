@@ -59,6 +59,13 @@ DrawnCurve drawn_spline(const BSpline& spline) {
   return curve;
 }
 
+CurvePieces lines_through(const std::vector<Vector<Rational>>& points) {
+  CurvePieces lines;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    if (points[k] != points[k - 1]) lines.push_back({{points[k - 1], points[k]}});
+  return lines;
+}
+
 DrawnCurve part_between(const DrawnCurve& spline, const Rational& a, const Rational& b) {
   DrawnCurve part;
   for (std::size_t k = 0; k < spline.pieces.size(); ++k) {

@@ -16,6 +16,8 @@ struct DrawnCurve {
 };
 /// A spline without a fault, between its knots.
 DrawnCurve drawn_spline(const BSpline& spline);
+/// The lines through points, without those of length 0; maybe none.
+CurvePieces lines_through(const std::vector<Vector<Rational>>& points);
 /// The part of a spline from a to b, a < b, between its first knot and its last.
 DrawnCurve part_between(const DrawnCurve& spline, const Rational& a, const Rational& b);
 /// The same from the end to the start, without knots.

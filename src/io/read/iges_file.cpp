@@ -31,6 +31,7 @@ struct IgesLine {
 struct IgesEntity {
   long sequence;  ///< of its first line, as pointers have it
   long type;
+  long form;
   long first_line;  ///< of its parameters, from 1
   long count;       ///< of lines of parameters
   long matrix;      ///< the sequence of its 124, or 0
@@ -124,9 +125,10 @@ void IgesFile::read_directory(const std::vector<IgesLine>& lines) {
     const IgesLine& a = lines[k];
     const IgesLine& b = lines[k + 1];
     const long sequence = static_cast<long>(k) + 1;
-    entities_.insert({sequence,
-                      {sequence, whole_field(a, 0), whole_field(a, 1), whole_field(b, 3),
-                       whole_field(a, 6), whole_field(a, 4), whole_field(a, 8), a.line}});
+    entities_.insert(
+        {sequence,
+         {sequence, whole_field(a, 0), whole_field(b, 4), whole_field(a, 1), whole_field(b, 3),
+          whole_field(a, 6), whole_field(a, 4), whole_field(a, 8), a.line}});
   }
 }
 
@@ -194,6 +196,16 @@ IgesNumbers IgesFile::parameters(const IgesEntity& entity) const {
   entity.fail("its parameters have no end");
 }
 
+constexpr std::string_view curve_types = "126, 112, 110, 106, 102, 100";
+
+/// Of 106 the forms 11 to 13 and 63 are lines through points; others are points, and what is drawn
+/// of dimensions and sections.
+bool is_curve(const IgesEntity& entity) {
+  if (entity.type == 106) return (entity.form >= 11 && entity.form <= 13) || entity.form == 63;
+  return entity.type == 126 || entity.type == 112 || entity.type == 110 || entity.type == 102 ||
+         entity.type == 100;
+}
+
 class IgesCurves {
  public:
   IgesCurves(const IgesFile& file, const CurveLimits& limits) : file_(file), limits_(limits) {}
@@ -203,6 +215,8 @@ class IgesCurves {
  private:
   AffineMap map_of(const IgesEntity& entity, int depth = 0) const;
   DrawnCurve spline(const IgesEntity& entity) const;
+  DrawnCurve cubics(const IgesEntity& entity) const;
+  DrawnCurve polyline(const IgesEntity& entity) const;
   DrawnCurve arc(const IgesEntity& entity) const;
   DrawnCurve composite(const IgesEntity& entity, int depth) const;
 
@@ -264,6 +278,59 @@ DrawnCurve IgesCurves::spline(const IgesEntity& entity) const {
   return part_between(whole, from, to);
 }
 
+// Kind, continuity, dimension, their number, where they begin and the last one ends; of each
+// x = a + b·s + c·s² + d·s³, y and z, with s from its beginning; then derivatives at the end.
+DrawnCurve IgesCurves::cubics(const IgesEntity& entity) const {
+  IgesNumbers in = file_.parameters(entity);
+  const long most = static_cast<long>(in.left());
+  in.number();
+  in.number();
+  const long dimension = in.whole(2, 3, "the dimension");
+  const long count = in.whole(1, most, "the number of segments");
+  DrawnCurve curve;
+  for (long k = 0; k <= count; ++k) curve.knots.push_back(in.number());
+  for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k) {
+    const Rational width = curve.knots[k + 1] - curve.knots[k];
+    if (width <= 0) entity.fail("its parameters do not ascend");
+    Vector<Polynomial> r;
+    long degree = 1;
+    for (long axis = 0; axis < 3; ++axis) {
+      std::vector<Rational> c;
+      for (Rational unit = 1; c.size() < 4; unit *= width) c.push_back(in.number() * unit);
+      if (axis == 2 && dimension == 2) c = {c.front()};  // a plane
+      r[static_cast<std::size_t>(axis)] = Polynomial(c);
+      degree = std::max(degree, r[static_cast<std::size_t>(axis)].degree());
+    }
+    const auto x = to_bernstein(r[0], degree);
+    const auto y = to_bernstein(r[1], degree);
+    const auto z = to_bernstein(r[2], degree);
+    RationalBezier piece;
+    for (std::size_t n = 0; n < x.size(); ++n) piece.points.push_back({x[n], y[n], z[n]});
+    curve.pieces.push_back(std::move(piece));
+  }
+  return curve;
+}
+
+// What a tuple is, how many there are, z of them all if they are pairs; what is more than a point
+// in a tuple is a vector there. Form 63 is a closed line in a plane.
+DrawnCurve IgesCurves::polyline(const IgesEntity& entity) const {
+  IgesNumbers in = file_.parameters(entity);
+  const long kind = in.whole(1, 3, "the kind of tuples");
+  const long count = in.whole(2, static_cast<long>(in.left()), "the number of points");
+  const Rational z = kind == 1 ? in.number() : Rational();
+  std::vector<Vector<Rational>> points;
+  for (long k = 0; k < count; ++k) {
+    const Rational x = in.number();
+    const Rational y = in.number();
+    points.push_back({x, y, kind == 1 ? z : in.number()});
+    if (kind == 3) in.vector();
+  }
+  if (entity.form == 63) points.push_back(points.front());
+  DrawnCurve curve{lines_through(points)};
+  if (curve.pieces.empty()) entity.fail("its points are one point");
+  return curve;
+}
+
 // z, and in that plane the center, start and end, counterclockwise.
 DrawnCurve IgesCurves::arc(const IgesEntity& entity) const {
   IgesNumbers in = file_.parameters(entity);
@@ -311,8 +378,12 @@ DrawnCurve IgesCurves::curve(const IgesEntity& entity, int depth) const {
     found = arc(entity);
   } else if (entity.type == 102) {
     found = composite(entity, depth);
+  } else if (entity.type == 106 && is_curve(entity)) {
+    found = polyline(entity);
+  } else if (entity.type == 112) {
+    found = cubics(entity);
   } else {
-    entity.fail("this is not read; curves are 126, 110, 100 and 102");
+    entity.fail(fmt::format("this is not read; curves are {}", curve_types));
   }
   const AffineMap map = map_of(entity);
   for (RationalBezier& piece : found.pieces)
@@ -325,9 +396,7 @@ DrawnCurve IgesCurves::curve(const IgesEntity& entity, int depth) const {
 bool is_free_curve(const IgesEntity& entity) {
   const long subordinate = entity.status / 10'000 % 100;
   const long use = entity.status / 100 % 100;
-  const bool is_curve =
-      entity.type == 126 || entity.type == 110 || entity.type == 100 || entity.type == 102;
-  return is_curve && (subordinate == 0 || subordinate == 2) && use == 0;
+  return is_curve(entity) && (subordinate == 0 || subordinate == 2) && use == 0;
 }
 
 }  // namespace
@@ -357,9 +426,8 @@ PointCurve read_iges(std::string_view text, const FileReading& reading, const Cu
   for (const auto& [type, count] : others) types.push_back(type);
   if (parts.empty())
     throw InputError("line 1",
-                     fmt::format("there is no curve (126, 110, 100, 102) by itself in the "
-                                 "IGES file: it has {}",
-                                 fmt::join(types, ", ")));
+                     fmt::format("there is no curve ({}) by itself in the IGES file: it has {}",
+                                 curve_types, fmt::join(types, ", ")));
   return {"", chosen_chain(chains_of_drawing(std::move(parts)), reading.pick)};
 }
 

@@ -77,8 +77,8 @@ auto of_entity(const Part21Entity& entity, const Make& make) {
   for (const Part21Entity& entity : entities)
     names += (names.empty() ? "" : ", ") + std::string(entity.name);
   entities.front().fail(fmt::format(
-      "{} is not read; curves are B_SPLINE_CURVE_WITH_KNOTS, POLYLINE, and LINE, CIRCLE "
-      "or ELLIPSE between ends",
+      "{} is not read; curves are B-splines of all kinds, POLYLINE, and LINE, CIRCLE or ELLIPSE "
+      "between ends",
       entities.size() == 1 ? "this" : abbreviated(names, 120)));
 }
 
@@ -128,42 +128,71 @@ SpaceConic StepCurves::conic(const Part21Entity& entity) const {
   });
 }
 
+/// A B-spline's kind, by which its knots are known.
+const Part21Entity* spline_kind(const Entities& entities) {
+  for (const char* name :
+       {"B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE", "QUASI_UNIFORM_CURVE", "UNIFORM_CURVE"})
+    if (const Part21Entity* kind = find_entity(entities, name)) return kind;
+  return nullptr;
+}
+
+/// The knots of the kinds that have none in the file: whole numbers, 0 at the start but for uniform
+/// ones, where it is in the middle of them.
+std::vector<Rational> implicit_knots(const Part21Entity& kind, long degree, std::size_t points) {
+  const auto last = static_cast<long>(points) - 1;
+  std::vector<Rational> knots;
+  for (long k = 0; k <= last + degree + 1; ++k) {
+    if (kind.name == "UNIFORM_CURVE")
+      knots.emplace_back(k - degree);
+    else if (kind.name == "BEZIER_CURVE")
+      knots.emplace_back(k == 0 ? 0 : std::min(k - 1, last) / degree);
+    else
+      knots.emplace_back(std::clamp(k - degree, 0L, last + 1 - degree));
+  }
+  if (kind.name == "BEZIER_CURVE" && last % degree != 0)
+    kind.fail(fmt::format("{} points are none of Bézier curves of degree {}", points, degree));
+  return knots;
+}
+
 // The parameters of a complex instance are those of its parts, in their order; the name is that of
 // REPRESENTATION_ITEM.
 DrawnCurve StepCurves::spline(const Entities& entities) const {
-  const Part21Entity& knots = *find_entity(entities, "B_SPLINE_CURVE_WITH_KNOTS");
+  const Part21Entity& kind = *spline_kind(entities);
   const bool is_complex = entities.size() > 1;
-  const Part21Entity* base = is_complex ? find_entity(entities, "B_SPLINE_CURVE") : &knots;
-  if (base == nullptr) knots.fail("there is no B_SPLINE_CURVE with it");
+  const Part21Entity* base = is_complex ? find_entity(entities, "B_SPLINE_CURVE") : &kind;
+  if (base == nullptr) kind.fail("there is no B_SPLINE_CURVE with it");
   const std::size_t first = is_complex ? 0 : 1;
   BSpline spline;
   spline.degree = base->whole_number(first, limits_.max_degree, "the degree");
+  if (spline.degree < 1) base->fail("the degree is 0");
   for (const long point : base->references(first + 1, "a list of points"))
     spline.points.push_back(place(point, *base, "CARTESIAN_POINT"));
-  const std::size_t at = is_complex ? 0 : 6;
-  const auto& multiplicities = knots.at(at, StepKind::list, "a list of multiplicities").items;
-  const std::vector<Rational> values = knots.numbers(at + 1, "a list of knots");
-  if (values.size() != multiplicities.size())
-    knots.fail(fmt::format("{} multiplicities for {} knots", multiplicities.size(), values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    spline.knots.insert(
-        spline.knots.end(),
-        static_cast<std::size_t>(knots.whole_number(multiplicities[k], spline.degree + 1)),
-        values[k]);
+  if (kind.name == "B_SPLINE_CURVE_WITH_KNOTS") {
+    const std::size_t at = is_complex ? 0 : 6;
+    const auto& multiplicities = kind.at(at, StepKind::list, "a list of multiplicities").items;
+    const std::vector<Rational> values = kind.numbers(at + 1, "a list of knots");
+    if (values.size() != multiplicities.size())
+      kind.fail(
+          fmt::format("{} multiplicities for {} knots", multiplicities.size(), values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      spline.knots.insert(
+          spline.knots.end(),
+          static_cast<std::size_t>(kind.whole_number(multiplicities[k], spline.degree + 1)),
+          values[k]);
+  } else {
+    spline.knots = implicit_knots(kind, spline.degree, spline.points.size());
+  }
   if (const auto* rational = find_entity(entities, "RATIONAL_B_SPLINE_CURVE"))
     spline.weights = rational->numbers(0, "a list of weights");
-  if (const auto fault = fault_of(spline)) knots.fail(fault->reason);
+  if (const auto fault = fault_of(spline)) kind.fail(fault->reason);
   return drawn_spline(spline);
 }
 
 DrawnCurve StepCurves::polyline(const Part21Entity& entity) const {
-  DrawnCurve curve;
-  std::optional<Vector<Rational>> last;
-  for (const long number : entity.references(1, "a list of points")) {
-    const Vector<Rational> p = place(number, entity, "CARTESIAN_POINT");
-    if (last && *last != p) curve.pieces.push_back({{*last, p}});
-    last = p;
-  }
+  std::vector<Vector<Rational>> points;
+  for (const long number : entity.references(1, "a list of points"))
+    points.push_back(place(number, entity, "CARTESIAN_POINT"));
+  DrawnCurve curve{lines_through(points)};
   if (curve.pieces.empty()) entity.fail("two points are wanted");
   return curve;
 }
@@ -282,7 +311,7 @@ DrawnCurve StepCurves::curve(const Entities& entities, int depth) const {
   const Part21Entity& entity = entities.front();
   constexpr int deepest = 32;
   if (depth > deepest) entity.fail("curves are in curves more than 32 deep");
-  if (find_entity(entities, "B_SPLINE_CURVE_WITH_KNOTS") != nullptr) return spline(entities);
+  if (spline_kind(entities) != nullptr) return spline(entities);
   if (entity.name == "POLYLINE") return polyline(entity);
   if (entity.name == "COMPOSITE_CURVE") return composite(entity, depth);
   if (entity.name == "EDGE_CURVE") return edge(entity, depth);
@@ -311,13 +340,15 @@ bool is_set_of_curves(std::string_view name) {
 
 /// May it be a curve by itself? A complex instance is one if it has a B-spline.
 bool may_be_curve(const Part21File::Entry& entry) {
-  static constexpr std::array<std::string_view, 7> names{"B_SPLINE_CURVE_WITH_KNOTS",
+  static constexpr std::array<std::string_view, 9> names{"B_SPLINE_CURVE_WITH_KNOTS",
+                                                         "BEZIER_CURVE",
+                                                         "QUASI_UNIFORM_CURVE",
+                                                         "UNIFORM_CURVE",
                                                          "POLYLINE",
                                                          "TRIMMED_CURVE",
                                                          "COMPOSITE_CURVE",
                                                          "CIRCLE",
-                                                         "ELLIPSE",
-                                                         "BEZIER_CURVE"};
+                                                         "ELLIPSE"};
   if (!entry.name.empty()) return std::ranges::find(names, entry.name) != names.end();
   return entry.body.find("B_SPLINE_CURVE") != std::string_view::npos;
 }

@@ -251,7 +251,7 @@ SegmentTotal shared(CurveTotal total) {
 }
 
 SegmentTotal either(std::variant<CurveTotal, Infinite> total) {
-  if (auto* finite = std::get_if<CurveTotal>(&total)) return shared(*std::move(finite));
+  if (auto* finite = std::get_if<CurveTotal>(&total)) return shared(std::move(*finite));
   return std::get<Infinite>(total);
 }
 

@@ -46,14 +46,14 @@ struct PlaneTurns::State {
   std::size_t last = 0;   ///< the number of a piece
   AlgebraicAngle turn{};  ///< by which its normal is turned against the first one
 
-  State(Path along, const Vector<Rational>& up);
+  State(const Path& along, const Vector<Rational>& up);
   bool add_piece(const Vector<Rational>& normal, const Place& start);
   bool add_corner(std::size_t segment);
   std::optional<AlgebraicAngle> turn_of(std::size_t piece);
   AlgebraicAngle seen(std::size_t piece, const Vector<Rational>& H) const;
 };
 
-PlaneTurns::State::State(Path along, const Vector<Rational>& up) : path(std::move(along)), v(up) {
+PlaneTurns::State::State(const Path& along, const Vector<Rational>& up) : path(along), v(up) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     if (path.has_corner(k) && !add_corner(k)) return;
     const auto span = direction_span(path.segments()[k]);

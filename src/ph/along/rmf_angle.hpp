@@ -75,7 +75,8 @@ class PHRAME_API RmfAngle {
  private:
   struct Parts;
 
-  RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> bend, Form form);
+  RmfAngle(const QuaternionPolynomial& preimage, std::optional<GaussianPolynomial> to_frame,
+           Form form);
 
   std::shared_ptr<const Parts> parts_;
   Evaluator evaluator_;  ///< of angle_to_erf

@@ -56,7 +56,7 @@ CurveJet::CurveJet(const ExpressionCurve& curve, const RealBall& middle, const R
 CurveJet::CurveJet(const ExpressionCurve& curve, const Rational& middle, const Rational& half,
                    const DiscBounds& bounds, long length, long bits)
     : CurveJet(curve, RealBall(middle, bits), half, length, bits) {
-  bounds_ = bounds;
+  bounds_ = bounds;  // NOLINT(*-prefer-member-initializer): the constructor is delegated
   least_square_ = [&curve, middle, half, length] {
     return least_square(curve, middle, half, length);
   };

@@ -125,18 +125,18 @@ OffsetBranches branches_of(const Offset& offset) {
   return branches;
 }
 
-SelfIntersections self_intersections(const OffsetBranches& offset, const CurveSeries& series,
+SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
                                      CrossingQuery query) {
   SelfIntersections result = self_intersections(series, query);
   std::vector<PointPair> pairs;
   for (const auto& [first, second] : result.undecided) {
-    add_meetings(offset, first, second, pairs);
-    add_meetings(offset, second, first, pairs);
+    add_meetings(branches, first, second, pairs);
+    add_meetings(branches, second, first, pairs);
   }
   if (pairs.empty()) return result;
   for (const auto& [a, b] : pairs) query.known.push_back({a.piece, a.t, b.piece, b.t});
   result = self_intersections(series, query);
-  add_to(result, offset, pairs);
+  add_to(result, branches, pairs);
   return result;
 }
 

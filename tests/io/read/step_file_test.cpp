@@ -48,13 +48,14 @@ std::string iges_line(std::string text, char section, int number) {
 }
 
 /// One free entity, with one line of parameters.
-std::string iges(const std::string& type, const std::string& parameters) {
+std::string iges(const std::string& type, const std::string& parameters,
+                 const std::string& form = "0") {
   const auto field = [](const std::string& x) { return std::string(8 - x.size(), ' ') + x; };
   return iges_line("", 'S', 1) + iges_line("1H//1H!/", 'G', 1) +
          iges_line(field(type) + field("1") + field("0") + field("0") + field("0") + field("0") +
                        field("0") + field("0") + "00000000",
                    'D', 1) +
-         iges_line(field(type) + field("0") + field("0") + field("1") + field("0"), 'D', 2) +
+         iges_line(field(type) + field("0") + field("0") + field("1") + field(form), 'D', 2) +
          iges_line(parameters, 'P', 1) + iges_line("S      1G      1D      2P      1", 'T', 1);
 }
 
@@ -131,7 +132,7 @@ TEST_CASE("step: composite curves, sets, edges") {
 
 TEST_CASE("step: what is not read is named, with its line") {
   CHECK(refusal("#10=HYPERBOLA('',#1,2.,1.);#11=GEOMETRIC_CURVE_SET('',(#10));\n") ==
-        "line 8: #10=HYPERBOLA: this is not read; curves are B_SPLINE_CURVE_WITH_KNOTS, POLYLINE, "
+        "line 8: #10=HYPERBOLA: this is not read; curves are B-splines of all kinds, POLYLINE, "
         "and LINE, CIRCLE or ELLIPSE between ends");
   CHECK(
       test::contains(refusal("#10=POLYLINE('',(#1,#77));\n"), "line 8: #10=POLYLINE: there is no"));
@@ -149,6 +150,61 @@ TEST_CASE("step: what is not read is named, with its line") {
                        "more than 32 deep"));
 }
 
+// The points by hand: those of a spline with the knots that ISO 10303-42 says.
+TEST_CASE("step: Bézier and uniform splines have the knots of their kind") {
+  const auto kind = [](const std::string& name, const std::string& degree) {
+    return read(
+        step(points + "#10=" + name + "('rail'," + degree + ",(#1,#2,#3,#4),.U.,.F.,.F.);\n"));
+  };
+  const RationalCurve whole =
+      bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, Rational(1, 4)}});
+  CHECK(curve_of(kind("BEZIER_CURVE", "3")) == whole);
+  CHECK(curve_of(kind("QUASI_UNIFORM_CURVE", "3")) == whole);
+  // The middle of p₁ and p₂ is where two parabolas meet.
+  const NamedPath two = kind("QUASI_UNIFORM_CURVE", "2");
+  REQUIRE(two.path.segments().size() == 2);
+  CHECK(two.parameters[2].exact() == Rational(2));
+  // (p₀ + 4p₁ + p₂)/6 and (p₁ + 4p₂ + p₃)/6, by the uniform cubic B-spline.
+  const RationalCurve uniform = curve_of(kind("UNIFORM_CURVE", "3"));
+  CHECK(point(uniform, 0) == Vector<Rational>{Rational(7, 6), Rational(5, 3), Rational(1, 6)});
+  CHECK(point(uniform, 1) == Vector<Rational>{Rational(17, 6), Rational(5, 3), Rational(17, 24)});
+  const std::string rational =
+      "#10=(BEZIER_CURVE()BOUNDED_CURVE()B_SPLINE_CURVE(3,(#1,#2,#3,#4),.U.,.F.,.F.)CURVE()"
+      "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,2.,2.,1.))"
+      "REPRESENTATION_ITEM('rail'));\n";
+  CHECK(curve_of(read(step(points + rational))) ==
+        bezier_curve({{0, 0, 0}, {1, 2, 0}, {3, 2, 1}, {4, 0, Rational(1, 4)}}, {1, 2, 2, 1}));
+  CHECK(test::contains(test::refusal_of<InputError>([&] { kind("BEZIER_CURVE", "2"); }),
+                       "4 points are none of Bézier curves of degree 2"));
+}
+
+TEST_CASE("iges: lines through points, and piecewise cubics") {
+  const auto corners = [](const NamedPath& named) {
+    std::vector<Vector<Rational>> list;
+    for (std::size_t k = 0; k < named.path.segments().size(); ++k)
+      list.push_back(point(curve_of(named, k), 0));
+    return list;
+  };
+  const std::vector<Vector<Rational>> square{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}};
+  const NamedPath closed = read(iges("106", "106/1/3/5/0/0/1/0/1/1!", "63"));
+  CHECK(corners(closed) == square);
+  CHECK(closed.path.ends_meet());
+  CHECK(corners(read(iges("106", "106/2/3/0/0/5/1/0/5/1/1/5!", "12"))) ==
+        std::vector<Vector<Rational>>{{0, 0, 5}, {1, 0, 5}});
+  CHECK(corners(read(iges("106", "106/3/2/0/0/5/7/7/7/1/0/5/7/7/7!", "13"))) ==
+        std::vector<Vector<Rational>>{{0, 0, 5}});
+  const auto refused = [](const std::string& form) {
+    return test::refusal_of<InputError>([&] { read(iges("106", "106/2/2/1/1/1/1/1/1!", form)); });
+  };
+  CHECK(test::contains(refused("2"), "there is no curve"));  // points
+  CHECK(test::contains(refused("12"), "its points are one point"));
+  // (s, s², 1 + s³) from 1 to 3, which begins with s = 0.
+  const NamedPath cubic = read(iges("112", "112/3/1/3/1/1/3/0/1/0/0/0/0/1/0/1/0/0/1/0/0/0/0!"));
+  CHECK(curve_of(cubic) ==
+        RationalCurve({Polynomial{0, 2}, Polynomial{0, 0, 4}, Polynomial{1, 0, 0, 8}}, {1}));
+  CHECK(cubic.parameters[0].exact() == Rational(1));
+}
+
 TEST_CASE("iges: other delimiters, exponents with D, parts, and what is not read") {
   const auto read_one = [](const std::string& type, const std::string& parameters) {
     return read(iges(type, parameters));
@@ -163,7 +219,8 @@ TEST_CASE("iges: other delimiters, exponents with D, parts, and what is not read
     return test::refusal_of<InputError>([&] { read_one(type, parameters); });
   };
   CHECK(refused("104", "104/1./0./1./0./0./-1.!") ==
-        "line 1: there is no curve (126, 110, 100, 102) by itself in the IGES file: it has 104");
+        "line 1: there is no curve (126, 112, 110, 106, 102, 100) by itself in the IGES file: it "
+        "has 104");
   CHECK(refused("110", "110/0./1.5!") == "line 3: entity 110 (D1): there are too few parameters");
   CHECK(test::contains(refused("100", "100/0./0./0./1./0./0./2.!"), "an end is not on the curve"));
   CHECK(test::contains(refused("102", "102/1/1!"), "more than 32 deep"));
