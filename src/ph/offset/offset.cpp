@@ -12,6 +12,7 @@
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -92,13 +93,6 @@ class OffsetMaker {
 int first_sign(const OffsetPiece& piece) { return sign_after_zero(piece.curve.multiplier()); }
 int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.multiplier()); }
 
-std::size_t next_of(const Offset& offset, std::size_t k) { return (k + 1) % offset.pieces.size(); }
-
-bool goes_on_behind(const Offset& offset, std::size_t k) {
-  return offset.meets[k] &&
-         last_sign(offset.pieces[k]) == first_sign(offset.pieces[next_of(offset, k)]);
-}
-
 }  // namespace
 
 Segment segment_of(const RationalCurve& curve) {
@@ -118,24 +112,7 @@ Offset offset(const PhPath& path, const Rational& d, OffsetJoin join) {
   return OffsetMaker(path, d, join).make();
 }
 
-std::vector<Path> paths(const Offset& offset) {
-  // Of what is closed, a path begins behind a cut, if there is one.
-  const std::size_t count = offset.pieces.size();
-  std::size_t first = 0;
-  if (goes_on_behind(offset, count - 1))
-    for (std::size_t k = 0; k < count && first == 0; ++k)
-      if (!goes_on_behind(offset, k)) first = next_of(offset, k);
-  std::vector<Path> found;
-  std::vector<Segment> segments;
-  for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t k = (first + j) % count;
-    segments.push_back(segment_of(offset.pieces[k].curve));
-    if (j + 1 < count && goes_on_behind(offset, k)) continue;
-    found.push_back(joined(std::move(segments)));
-    segments.clear();
-  }
-  return found;
-}
+std::vector<Path> paths(const Offset& offset) { return joined_paths(branches_of(offset)); }
 
 std::vector<OffsetCusp> cusps(const Offset& offset) {
   std::vector<OffsetCusp> found;

@@ -62,6 +62,19 @@ std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational
   return pieces;
 }
 
+std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneVector a,
+                                       const PlaneVector& b, const Rational& radius) {
+  std::vector<RationalCurve> found;
+  const auto is_last = [&] { return cross(a, b) > 0 && dot(a, b) >= 0; };
+  while (!is_last()) {
+    const PlaneVector left{-a.y, a.x};
+    found.push_back(arc(center, a, left, radius));
+    a = left;
+  }
+  found.push_back(arc(center, a, b, radius));
+  return found;
+}
+
 std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
                                    const Rational& d) {
   const PlaneVector n = right_normal(e1);

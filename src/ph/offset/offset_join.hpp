@@ -24,6 +24,11 @@ bool is_outside(const PlaneCorner& corner, const Rational& d);
 std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational& d,
                                        OffsetJoin join);
 
+/// The arc of a circle from center + radius·a to the left to center + radius·b, of unit vectors, in
+/// quarters and what is left of the last one; where a = b, all of the circle.
+std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneVector a,
+                                       const PlaneVector& b, const Rational& radius);
+
 /// The half-circle about the end of a path, from at + d·n around it to at − d·n.
 std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
                                    const Rational& d);

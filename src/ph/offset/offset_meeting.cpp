@@ -125,6 +125,35 @@ OffsetBranches branches_of(const Offset& offset) {
   return branches;
 }
 
+std::vector<Path> joined_paths(const OffsetBranches& branches) {
+  const std::size_t count = branches.curves.size();
+  std::vector<std::size_t> next(count, no_segment);
+  std::vector<bool> is_first(count, true);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t behind = branches.behind[k];
+    if (behind == no_segment || sign_before_one(branches.curves[k].multiplier()) !=
+                                    sign_after_zero(branches.curves[behind].multiplier()))
+      continue;
+    next[k] = behind;
+    is_first[behind] = false;
+  }
+  std::vector<Path> found;
+  std::vector<bool> is_used(count, false);
+  const auto follow = [&](std::size_t k) {
+    std::vector<Segment> segments;
+    for (; k != no_segment && !is_used[k]; k = next[k]) {
+      segments.push_back(segment_of(branches.curves[k]));
+      is_used[k] = true;
+    }
+    found.push_back(joined(std::move(segments)));
+  };
+  for (std::size_t k = 0; k < count; ++k)
+    if (is_first[k]) follow(k);
+  for (std::size_t k = 0; k < count; ++k)  // what is closed
+    if (!is_used[k]) follow(k);
+  return found;
+}
+
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
                                      CrossingQuery query) {
   SelfIntersections result = self_intersections(series, query);

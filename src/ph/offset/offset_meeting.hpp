@@ -22,6 +22,8 @@ struct OffsetBranches {
 };
 /// Those of one.
 OffsetBranches branches_of(const Offset& offset);
+/// In as few paths as possible: cut where nothing is behind, and where one turns back at a joint.
+std::vector<Path> joined_paths(const OffsetBranches& branches);
 /// The same of these, which are the series, as far as it is asked for.
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
                                      CrossingQuery query);

@@ -1,29 +1,7 @@
 #pragma once
-#include "phrame/algebra/real.hpp"
-#include "phrame/ph/offset/offset.hpp"
+#include "phrame/ph/offset/boundary.hpp"
 
 namespace phrame::inline v0 {
-
-/// A part of a piece of an offset, from where it is cut or joined to where it is again.
-struct OffsetPart {
-  std::size_t piece;  ///< of the offset
-  Real from;          ///< its parameter in [0, 1], exact where that is known to be rational
-  Real to;            ///< likewise, greater
-};
-
-/// Parts of which each starts where the one before ends.
-struct TrimmedBranch {
-  std::vector<OffsetPart> parts;  ///< at least one
-  bool is_closed;                 ///< does the first one start where the last one ends?
-};
-
-/// A stretch of a piece of which it is not told whether it is nearer than |d|, whether the offset
-/// touches itself there without being cut, or where in it it is cut. Then enclosures of the ends of
-/// parts that it is are no narrower.
-struct UndecidedStretch {
-  std::size_t piece;  ///< of the offset
-  RealBall t;         ///< all of it
-};
 
 /// What is left of an offset without all that is nearer to the path than |d|.
 struct TrimmedOffset {

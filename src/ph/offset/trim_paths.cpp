@@ -52,10 +52,12 @@ struct CutPart {
 
 class BranchPath {
  public:
-  BranchPath(const TrimmedOffset& trimmed, const TrimmedBranch& branch, long digits)
-      : places_(digits + 1 - decimal_exponent(abs(trimmed.offset.distance))),
+  BranchPath(const TrimmedBranch& branch,
+             const std::function<const RationalCurve&(std::size_t piece)>& curve_of,
+             const Rational& size, long digits)
+      : places_(digits + 1 - decimal_exponent(abs(size))),
         parameter_places_(std::max(places_, digits) + 4) {
-    for (const OffsetPart& part : branch.parts) add(trimmed, part);
+    for (const OffsetPart& part : branch.parts) add(curve_of(part.piece), part);
     for (std::size_t k = 0; k + 1 < parts_.size(); ++k)
       join(branch.parts[k].to, parts_[k], branch.parts[k + 1].from, parts_[k + 1]);
     if (branch.is_closed)
@@ -74,8 +76,7 @@ class BranchPath {
   }
 
  private:
-  void add(const TrimmedOffset& trimmed, const OffsetPart& part) {
-    const RationalCurve& curve = trimmed.offset.pieces[part.piece].curve;
+  void add(const RationalCurve& curve, const OffsetPart& part) {
     const Rational from = rounded(part.from, parameter_places_);
     const Rational to = rounded(part.to, parameter_places_);
     parts_.push_back({curve, from, to, point(curve, from), point(curve, to)});
@@ -124,7 +125,17 @@ class BranchPath {
 }  // namespace
 
 std::vector<Path> paths(const TrimmedOffset& trimmed, const TrimmedBranch& branch, long digits) {
-  return BranchPath(trimmed, branch, digits).make();
+  return branch_paths(
+      branch,
+      [&](std::size_t piece) -> const RationalCurve& { return trimmed.offset.pieces[piece].curve; },
+      trimmed.offset.distance, digits);
+}
+
+std::vector<Path> branch_paths(
+    const TrimmedBranch& branch,
+    const std::function<const RationalCurve&(std::size_t piece)>& curve_of, const Rational& size,
+    long digits) {
+  return BranchPath(branch, curve_of, size, digits).make();
 }
 
 }  // namespace phrame

@@ -1,8 +1,8 @@
-// |r(s) − at|² − d² is a polynomial of s over ℚ for a rational point. Its sign on [0, 1] is that of
-// its Bernstein coefficients on short parts; where it has a zero without a change of sign, as at
-// the point that the offset belongs to, if that is not taken out, its roots and their orders
-// decide.
-#include "phrame/ph/offset/path_distance.hpp"
+// |center(s) − at|² − radius(s)² is a polynomial of s over ℚ for a rational point. Its sign on
+// [0, 1] is that of its Bernstein coefficients on short parts; where it has a zero without a change
+// of sign, as at the disc that the boundary belongs to, if that is not taken out, its roots and
+// their orders decide.
+#include "phrame/ph/offset/disc_cover.hpp"
 
 #include <algorithm>
 #include <array>
@@ -113,16 +113,34 @@ long count_of(const PlaneBox& box, double reach) {
 
 }  // namespace
 
-PathDistance::PathDistance(const PhPath& path, const Rational& d)
-    : squared_(d * d), reach_(std::abs(static_cast<double>(d)) * (1 + 1e-12)) {
-  double size = 0;
+namespace {
+
+std::vector<Vector<Polynomial>> tracks_of(const PhPath& path, const Rational& d) {
+  std::vector<Vector<Polynomial>> tracks;
   for (const Curve& curve : path.segments()) {
     const Vector<Polynomial> r = position(curve);
-    Part part{r[0], r[1], {}, {range_of(r[0]), range_of(r[1])}};
-    const long count = count_of(part.box, reach_);
+    tracks.push_back({r[0], r[1], Polynomial{abs(d)}});
+  }
+  return tracks;
+}
+
+}  // namespace
+
+DiscCover::DiscCover(const PhPath& path, const Rational& d) : DiscCover(tracks_of(path, d)) {}
+
+DiscCover::DiscCover(const std::vector<Vector<Polynomial>>& tracks) {
+  double size = 0;
+  for (const Vector<Polynomial>& disc : tracks) {
+    Part part{disc, {}, {range_of(disc[0]), range_of(disc[1])}};
+    const DoubleInterval radii = range_of(disc[2]);
+    const double most = std::max(radii.upper, -radii.lower);
+    reach_ = std::max(reach_, most * (1 + 1e-12));
+    const long count = count_of(part.box, most);
     for (long k = 0; k <= count; ++k) {
       const Rational t(k, count);
-      part.points.push_back({static_cast<double>(r[0](t)), static_cast<double>(r[1](t))});
+      const Vector<Rational> at = evaluate(disc, t);
+      part.discs.push_back({static_cast<double>(at[0]), static_cast<double>(at[1]),
+                            static_cast<double>(Rational(at[2] * at[2]))});
     }
     size = std::max(size, size_of(part.box));
     parts_.push_back(std::move(part));
@@ -130,11 +148,12 @@ PathDistance::PathDistance(const PhPath& path, const Rational& d)
   boxes_.resize(4 * parts_.size());
   add_boxes(1, 0, parts_.size());
   // A point and a corner of a box are off by 2⁻⁵⁰ of their sizes.
-  error_ = 0x1p-46 * (size + reach_) * (size + reach_);
-  certain_ = static_cast<double>(squared_) * (1 - 1e-9) - error_;
+  const double error = 0x1p-46 * (size + reach_) * (size + reach_);
+  for (Part& part : parts_)
+    for (auto& [x, y, squared] : part.discs) squared = squared * (1 - 1e-9) - error;
 }
 
-void PathDistance::add_boxes(std::size_t node, std::size_t first, std::size_t last) {
+void DiscCover::add_boxes(std::size_t node, std::size_t first, std::size_t last) {
   if (last - first == 1) {
     boxes_[node] = parts_[first].box;
     return;
@@ -146,8 +165,8 @@ void PathDistance::add_boxes(std::size_t node, std::size_t first, std::size_t la
 }
 
 /// Is any of the parts wanted that are within reach of the box, as far as their boxes tell?
-bool PathDistance::any_within(const PlaneBox& box, double reach,
-                              const std::function<bool(std::size_t part)>& is_wanted) const {
+bool DiscCover::any_within(const PlaneBox& box, double reach,
+                           const std::function<bool(std::size_t part)>& is_wanted) const {
   const auto visit = [&](const auto& self, std::size_t node, std::size_t first,
                          std::size_t last) -> bool {
     if (is_beyond(boxes_[node], box, reach)) return false;
@@ -158,46 +177,41 @@ bool PathDistance::any_within(const PlaneBox& box, double reach,
   return visit(visit, 1, 0, parts_.size());
 }
 
-bool PathDistance::covers(const PlaneBox& box) const {
-  const double limit = certain_ - 0x1p-46 * size_of(box) * size_of(box);
+bool DiscCover::covers(const PlaneBox& box) const {
+  const double error = 0x1p-46 * size_of(box) * size_of(box);
   const auto farthest = [](const DoubleInterval& x, double at) {
     return std::max(std::abs(x.lower - at), std::abs(x.upper - at));
   };
   return any_within(box, reach_, [&](std::size_t part) {
-    return std::ranges::any_of(parts_[part].points, [&](const std::array<double, 2>& point) {
-      const double dx = farthest(box[0], point[0]);
-      const double dy = farthest(box[1], point[1]);
-      return dx * dx + dy * dy < limit;
+    return std::ranges::any_of(parts_[part].discs, [&](const std::array<double, 3>& disc) {
+      const double dx = farthest(box[0], disc[0]);
+      const double dy = farthest(box[1], disc[1]);
+      return dx * dx + dy * dy < disc[2] - error;
     });
   });
 }
 
-/// `known` is a factor of what tells of that segment.
-std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at,
-                                                           std::size_t segment,
-                                                           const Polynomial& known) const {
+std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size_t track,
+                                           const Polynomial& known) const {
   const PlaneBox box{around(at[0]), around(at[1])};
-  std::optional<Vector<Rational>> found;
+  std::optional<Disc> found;
   any_within(box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box), [&](std::size_t k) {
-    const Polynomial x = parts_[k].x - Polynomial{at[0]};
-    const Polynomial y = parts_[k].y - Polynomial{at[1]};
-    Polynomial gap = x * x + y * y - Polynomial{squared_};
-    if (k == segment) gap = exact_quotient(gap, known);
+    const auto& disc = parts_[k].disc;
+    const Polynomial x = disc[0] - Polynomial{at[0]};
+    const Polynomial y = disc[1] - Polynomial{at[1]};
+    Polynomial gap = x * x + y * y - disc[2] * disc[2];
+    if (k == track) gap = exact_quotient(gap, known);
     if (const auto t = negative_place(gap))
-      found = Vector<Rational>{parts_[k].x(*t), parts_[k].y(*t), at[2]};
+      found = {{disc[0](*t), disc[1](*t), at[2]}, disc[2](*t)};
     return found.has_value();
   });
   return found;
 }
 
-std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at) const {
-  return nearer_point(at, parts_.size(), Polynomial{1});
+std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at) const {
+  return disc_around(at, parts_.size(), Polynomial{1});
 }
 
-std::optional<Vector<Rational>> PathDistance::nearer_point(const Vector<Rational>& at,
-                                                           std::size_t segment,
-                                                           const Rational& t) const {
-  return nearer_point(at, segment, Polynomial{-t, 1} * Polynomial{-t, 1});
-}
+Polynomial double_zero(const Rational& t) { return Polynomial{t * t, -2 * t, 1}; }
 
 }  // namespace phrame

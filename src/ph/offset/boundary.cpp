@@ -1,0 +1,476 @@
+// Where what is left of a boundary curve changes, at a point Q, another boundary curve goes through
+// Q, or the curve has a cusp or an event there: so between two such places one point tells for all.
+// A part that is inside one disc has none.
+//
+// Branches that coincide are lines, circles about one center, or the same curve. One does not cross
+// the other, as parallel lines do not, and the ends of each cut the other one.
+#include "phrame/ph/offset/boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/close_crossings.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+constexpr long place_bits = 320;
+
+/// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
+std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
+  const Vector<Rational> from = point(curve, 0);
+  if (center) {
+    const Vector<Rational> radius = from - *center;
+    return fmt::format("circle {} {} {}", to_string((*center)[0]), to_string((*center)[1]),
+                       to_string(dot(radius, radius)));
+  }
+  const Vector<Rational> to = point(curve, 1);
+  if (is_line(curve)) {
+    // a·x + b·y = c, of which the first coefficient that is not 0 is 1.
+    Rational a = from[1] - to[1];
+    Rational b = to[0] - from[0];
+    Rational c = a * from[0] + b * from[1];
+    const Rational unit = a != 0 ? a : b;
+    return fmt::format("line {} {} {}", to_string(a / unit), to_string(b / unit),
+                       to_string(c / unit));
+  }
+  std::array<std::string, 3> names{to_string(from[0]) + " " + to_string(from[1]),
+                                   to_string(to[0]) + " " + to_string(to[1])};
+  std::sort(names.begin(), names.begin() + 2);
+  const Vector<Rational> middle = point(curve, Rational(1, 2));
+  return fmt::format("curve {} {} {} {}", names[0], names[1], to_string(middle[0]),
+                     to_string(middle[1]));
+}
+
+/// t of the line where it crosses the other one, which is not parallel.
+Rational share_up_to(const RationalCurve& line, const RationalCurve& other) {
+  const Vector<Rational> from = point(line, 0);
+  const Vector<Rational> way = point(line, 1) - from;
+  const Vector<Rational> start = point(other, 0);
+  const Vector<Rational> across = point(other, 1) - start;
+  const Vector<Rational> gap = start - from;
+  return (gap[0] * across[1] - gap[1] * across[0]) / (way[0] * across[1] - way[1] * across[0]);
+}
+
+/// Where in a part of the curve it meets the line or the circle that another one is part of; no
+/// value where that is part of none, or this one, too.
+std::optional<std::vector<RealAlgebraic>> meetings(const RationalCurve& curve,
+                                                   const CurvePart& part,
+                                                   const RationalCurve& other,
+                                                   const std::optional<Vector<Rational>>& center) {
+  if (!center && !is_line(other)) return std::nullopt;
+  const Vector<Rational> from = point(other, 0);
+  const auto across = [&](std::size_t k, const Vector<Rational>& origin) {
+    return curve.numerator()[k] - origin[k] * curve.weight();
+  };
+  Polynomial gap;
+  if (center) {
+    const Vector<Rational> radius = from - *center;
+    gap = across(0, *center) * across(0, *center) + across(1, *center) * across(1, *center) -
+          dot(radius, radius) * curve.weight() * curve.weight();
+  } else {
+    const Vector<Rational> way = point(other, 1) - from;
+    gap = way[0] * across(1, from) - way[1] * across(0, from);
+  }
+  if (gap.is_zero()) return std::nullopt;
+  std::vector<RealAlgebraic> found;
+  for (const RealRoot& root : real_roots(gap, interval_of(part))) found.push_back(root.at);
+  return found;
+}
+
+/// Sets that are joined.
+class Classes {
+ public:
+  std::size_t add() { return parents_.emplace_back(parents_.size()); }
+  std::size_t of(std::size_t x) {
+    while (parents_[x] != x) x = parents_[x] = parents_[parents_[x]];
+    return x;
+  }
+  void join(std::size_t a, std::size_t b) { parents_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/// A place of a piece at which its distance from the path may change.
+struct Event {
+  Real t;
+  RealBall ball;          ///< around t
+  std::size_t place;      ///< a class: one point of the plane
+  bool is_fuzzy = false;  ///< may it be none, or several?
+};
+
+/// Events of a piece that are not told apart.
+struct Cluster {
+  std::vector<Event> events;
+  Rational lower;
+  Rational upper;
+  /// The one that is known best.
+  const Event& best() const {
+    const auto rank = [](const Event& x) { return x.t.exact() ? 0 : x.is_fuzzy ? 2 : 1; };
+    return *std::ranges::min_element(events, {}, rank);
+  }
+  bool is_fuzzy() const {
+    return std::ranges::any_of(events, [](const Event& x) { return x.is_fuzzy; });
+  }
+};
+
+/// A part that is left, between two classes.
+struct Edge {
+  OffsetPart part;
+  std::size_t from;
+  std::size_t to;
+  bool is_used = false;
+};
+
+class Trimmer {
+ public:
+  Trimmer(const BoundaryCurves& stroke, const std::string& function)
+      : stroke_(stroke),
+        function_(function),
+        own_(stroke.own),
+        series_(std::make_shared<const CurveSeries>(
+            plane_series(stroke_.branches.curves, stroke_.branches.behind))),
+        events_(own_) {}
+
+  TrimmedCurves make() {
+    add_ends();
+    add_cusps();
+    find_parallels();
+    find_coincidences();
+    add_crossings();
+    for (std::size_t k = 0; k < own_; ++k) add_edges(k);
+    chain();
+    return std::move(result_);
+  }
+
+ private:
+  void add_event(std::size_t piece, Real t, std::size_t place) {
+    if (piece >= own_) return;
+    RealBall ball = t.enclose(place_bits);
+    events_[piece].push_back({std::move(t), std::move(ball), place});
+  }
+  void add_fuzzy(const CurvePart& part, std::size_t place) {
+    if (part.segment >= own_) return;
+    const Interval where = interval_of(part);
+    const Rational lower = *where.lower;
+    const Rational upper = *where.upper;
+    events_[part.segment].push_back(
+        {Real([lower, upper](long bits) { return hull(lower, upper, bits); }),
+         hull(lower, upper, 64), place, true});
+  }
+
+  void add_ends() {
+    for (std::size_t k = 0; k < own_; ++k) {
+      starts_.push_back(classes_.add());
+      ends_.push_back(classes_.add());
+      add_event(k, Rational(0), starts_[k]);
+      add_event(k, Rational(1), ends_[k]);
+    }
+    for (std::size_t k = 0; k < own_; ++k)
+      if (const std::size_t behind = stroke_.branches.behind[k]; behind < own_)
+        classes_.join(ends_[k], starts_[behind]);
+    for (std::size_t k = 0; k < own_; ++k) {
+      join_by_point(k, 0, starts_[k]);
+      join_by_point(k, 1, ends_[k]);
+    }
+  }
+  void join_by_point(std::size_t piece, const Rational& t, std::size_t place) {
+    if (!stroke_.meet_by_points) return;
+    const Vector<Rational> at = point(stroke_.branches.curves[piece], t);
+    const std::string name = to_string(at[0]) + " " + to_string(at[1]);
+    classes_.join(place, by_point_.emplace(name, place).first->second);
+  }
+
+  void add_cusps() {
+    for (std::size_t k = 0; k < own_; ++k)
+      for (const RealAlgebraic& t : series_->turning[k].reversals)
+        add_event(k, to_real(t), classes_.add());
+    std::map<std::size_t, std::size_t> numbered;
+    for (const auto& [piece, t, number] : stroke_.events) {
+      const std::size_t place = numbered.emplace(number, numbered.size()).second
+                                    ? numbered[number] = classes_.add()
+                                    : numbered[number];
+      if (const auto exact = t.rational()) join_by_point(piece, *exact, place);
+      add_event(piece, to_real(t), place);
+    }
+  }
+
+  void find_parallels() {
+    std::map<std::string, std::size_t> numbers;
+    for (const RationalCurve& curve : stroke_.branches.curves) {
+      const Vector<Rational> way = point(curve, 1) - point(curve, 0);
+      const std::string slope = way[0] == 0 ? "" : to_string(way[1] / way[0]);
+      parallels_.push_back(is_line(curve) ? numbers.emplace(slope, numbers.size() + 1).first->second
+                                          : 0);
+    }
+  }
+
+  /// Are they parallel lines?
+  bool are_parallel(std::size_t a, std::size_t b) const {
+    return parallels_[a] != 0 && parallels_[a] == parallels_[b];
+  }
+
+  void find_coincidences() {
+    std::map<std::string, std::vector<std::size_t>> carriers;
+    for (std::size_t k = 0; k < stroke_.branches.curves.size(); ++k)
+      carriers[carrier_of(stroke_.branches.curves[k], stroke_.centers[k])].push_back(k);
+    for (const auto& [name, pieces] : carriers)
+      for (const std::size_t a : pieces)
+        for (const std::size_t b : pieces)
+          if (a != b && coincide(a, b)) add_coincidence(a, b);
+  }
+
+  /// Lines and circles do, if they have one name; of other curves it is checked.
+  bool coincide(std::size_t a, std::size_t b) const {
+    const RationalCurve& p = stroke_.branches.curves[a];
+    const RationalCurve& q = stroke_.branches.curves[b];
+    if (stroke_.centers[a] || is_line(p)) return true;
+    const auto is_same = [&](const Polynomial& t) {
+      return std::ranges::all_of(std::array{0U, 1U}, [&](unsigned k) {
+        return p.numerator()[k] * compose(q.weight(), t) ==
+               compose(q.numerator()[k], t) * p.weight();
+      });
+    };
+    return is_same({0, 1}) || is_same({1, -1});
+  }
+
+  void add_coincidence(std::size_t a, std::size_t b) {
+    coincident_.insert({a, b});
+    if (a >= own_) return;
+    for (const long end : {0L, 1L}) {
+      const std::size_t place = b >= own_ ? classes_.add() : end == 0 ? starts_[b] : ends_[b];
+      for (const RealAlgebraic& t :
+           through(stroke_.branches.curves[a], point(stroke_.branches.curves[b], end),
+                   open_interval(0, 1)))
+        add_event(a, to_real(t), place);
+    }
+  }
+
+  void add_crossings() {
+    CrossingQuery query;
+    query.is_idle = [&](const CurveNode& node) {
+      return stroke_.covers(turned(node.box)) ||
+             (stroke_.is_folded && node.is_arc() && stroke_.is_folded(part_of(node)));
+    };
+    query.are_idle = [&](const CurveNode& a, const CurveNode& b) {
+      if (a.first_segment >= own_ && b.first_segment >= own_) return true;
+      if (!a.is_arc() || !b.is_arc()) return false;
+      if (are_parallel(a.first_segment, b.first_segment)) return true;
+      return coincident_.contains({a.first_segment, b.first_segment});
+    };
+    if (stroke_.is_covered_beside)
+      query.is_idle_beside = [&](const CurveNode& a, const CurveNode& b) {
+        return stroke_.is_covered_beside(part_of(a), part_of(b));
+      };
+    const SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
+    if (found.is_cut_off) throw Undecided(function_ + ": too many branches touch each other");
+    for (const Crossing& x : found.found) {
+      if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
+      const std::size_t place = classes_.add();
+      const auto [s, t] = parameters(x);
+      add_event(x.first_segment, s, place);
+      add_event(x.second_segment, t, place);
+    }
+    for (const auto& [first, second] : found.undecided) {
+      const std::size_t place = classes_.add();
+      add_touching(first, second, place);
+      add_touching(second, first, place);
+    }
+  }
+
+  /// Where lines and circles are touched is decided by algebra.
+  void add_touching(const CurvePart& part, const CurvePart& other, std::size_t place) {
+    const auto& curves = stroke_.branches.curves;
+    if (part.segment >= own_ || coincident_.contains({part.segment, other.segment})) return;
+    const auto found =
+        meetings(curves[part.segment], part, curves[other.segment], stroke_.centers[other.segment]);
+    if (!found) return add_fuzzy(part, place);
+    for (const RealAlgebraic& t : *found)
+      add_event(part.segment, to_real(t), found->size() == 1 ? place : classes_.add());
+  }
+
+  static CurvePart part_of(const CurveNode& arc) {
+    return {arc.first_segment, arc.lower, arc.upper};
+  }
+
+  /// The tree looks along z, from where x is the second axis and −y the first one.
+  static PlaneBox turned(const PlaneBox& box) {
+    return {box[1], DoubleInterval{-box[0].upper, -box[0].lower}};
+  }
+
+  std::pair<Real, Real> parameters(const Crossing& x) const {
+    const RationalCurve& a = stroke_.branches.curves[x.first_segment];
+    const RationalCurve& b = stroke_.branches.curves[x.second_segment];
+    if (is_line(a) && is_line(b)) return {Real(share_up_to(a, b)), Real(share_up_to(b, a))};
+    // Rational often.
+    const auto found = narrowed(*series_, x, 2 * place_bits);
+    const Rational p = simplest_between(found.first.lower(), found.first.upper());
+    const Rational q = simplest_between(found.second.lower(), found.second.upper());
+    if (bits_of(p) + bits_of(q) < 2 * place_bits && point(a, p) == point(b, q))
+      return {Real(p), Real(q)};
+    const auto real = [&](bool is_first) {
+      Crossing near = x;
+      near.first_t = found.first;
+      near.second_t = found.second;
+      return cached(Real(Real::Enclosure([series = series_, near, is_first](long bits) {
+        const auto both = narrowed(*series, near, bits);
+        return is_first ? both.first : both.second;
+      })));
+    };
+    return {real(true), real(false)};
+  }
+
+  std::vector<Cluster> clusters(std::size_t piece) {
+    std::vector<Event>& events = events_[piece];
+    std::ranges::sort(events, {}, [](const Event& x) { return x.ball.lower(); });
+    std::vector<Cluster> found;
+    for (Event& x : events) {
+      const Rational lower = x.ball.lower();
+      const Rational upper = x.ball.upper();
+      if (found.empty() || lower > found.back().upper) {
+        found.push_back({{std::move(x)}, lower, upper});
+        continue;
+      }
+      classes_.join(found.back().events.front().place, x.place);
+      found.back().upper = std::max(found.back().upper, upper);
+      found.back().events.push_back(std::move(x));
+    }
+    return found;
+  }
+
+  /// Is it on an earlier line, too, that goes the same way? Of mitres that shut a neck one is left.
+  bool is_doubled(std::size_t piece, const Rational& t) const {
+    const RationalCurve& curve = stroke_.branches.curves[piece];
+    if (!is_line(curve)) return false;
+    const Vector<Rational> at = point(curve, t);
+    const Vector<Rational> way = point(curve, 1) - point(curve, 0);
+    for (auto pair = coincident_.lower_bound({piece, 0});
+         pair != coincident_.end() && pair->first == piece && pair->second < piece; ++pair) {
+      const RationalCurve& other = stroke_.branches.curves[pair->second];
+      const Rational start = dot(way, point(other, 0));
+      const Rational end = dot(way, point(other, 1));
+      const Rational here = dot(way, at);
+      if (start < here && here < end) return true;
+    }
+    return false;
+  }
+
+  void add_edges(std::size_t piece) {
+    const std::vector<Cluster> places = clusters(piece);
+    std::vector<bool> left;
+    std::vector<bool> backward;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+      const Rational quarter = (places[k + 1].lower - places[k].upper) / 4;
+      const Rational sample =
+          simplest_between(places[k].upper + quarter, places[k + 1].lower - quarter);
+      left.push_back(!stroke_.is_cut(piece, sample) && !is_doubled(piece, sample));
+      backward.push_back(stroke_.is_backward && stroke_.is_backward(piece, sample));
+    }
+    std::optional<std::size_t> from;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const bool before = k > 0 && left[k - 1];
+      const bool after = k < left.size() && left[k];
+      if (before == after && k > 0 && k < left.size() && backward[k - 1] == backward[k]) {
+        add_undecided(piece, places[k], before);
+        continue;
+      }
+      if (before && backward[k - 1])
+        add_edge(piece, places[k], places[*from]);
+      else if (before)
+        add_edge(piece, places[*from], places[k]);
+      if (after) from = k;
+    }
+  }
+
+  void add_edge(std::size_t piece, const Cluster& from, const Cluster& to) {
+    for (const Cluster* end : {&from, &to})
+      if (end->best().is_fuzzy) result_.undecided.push_back({piece, end->best().ball});
+    edges_.push_back(
+        {{piece, from.best().t, to.best().t}, from.events.front().place, to.events.front().place});
+  }
+
+  /// Of what is alike on both sides.
+  void add_undecided(std::size_t piece, const Cluster& cluster, bool is_left) {
+    const auto& events = cluster.events;
+    const bool is_one = std::ranges::all_of(events, [&](const Event& x) {
+      return !x.is_fuzzy && x.t.exact() && x.t.exact() == events.front().t.exact();
+    });
+    if (!cluster.is_fuzzy() && (is_left || is_one || events.size() == 1)) return;
+    if (!is_left && stroke_.is_covered(piece, cluster.lower, cluster.upper)) return;
+    result_.undecided.push_back({piece, hull(cluster.lower, cluster.upper, place_bits)});
+  }
+
+  /// Each edge is in one branch; those that begin where no other one ends are first.
+  void chain() {
+    std::multimap<std::size_t, std::size_t> starting;
+    std::map<std::size_t, long> surplus;
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      Edge& edge = edges_[k];
+      edge.from = classes_.of(edge.from);
+      edge.to = classes_.of(edge.to);
+      starting.emplace(edge.from, k);
+      ++surplus[edge.from];
+      --surplus[edge.to];
+    }
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (!edges_[k].is_used && surplus[edges_[k].from] > 0) {
+        --surplus[edges_[k].from];
+        follow(k, starting);
+      }
+    for (std::size_t k = 0; k < edges_.size(); ++k)
+      if (!edges_[k].is_used) follow(k, starting);
+    std::ranges::stable_sort(result_.branches, {}, [](const TrimmedBranch& branch) {
+      return branch.parts.front().piece;
+    });
+  }
+
+  void follow(std::size_t first, const std::multimap<std::size_t, std::size_t>& starting) {
+    TrimmedBranch branch{{}, false};
+    std::optional<std::size_t> next = first;
+    while (next) {
+      Edge& edge = edges_[*next];
+      edge.is_used = true;
+      branch.parts.push_back(edge.part);
+      branch.is_closed = edge.to == edges_[first].from;
+      next.reset();
+      if (branch.is_closed) break;
+      const auto [begin, end] = starting.equal_range(edge.to);
+      const auto unused =
+          std::find_if(begin, end, [&](const auto& x) { return !edges_[x.second].is_used; });
+      if (unused != end) next = unused->second;
+    }
+    result_.branches.push_back(std::move(branch));
+  }
+
+  const BoundaryCurves& stroke_;
+  const std::string& function_;
+  TrimmedCurves result_;
+  std::size_t own_;
+  std::shared_ptr<const CurveSeries> series_;
+  std::vector<std::vector<Event>> events_;
+  std::map<std::string, std::size_t> by_point_;
+  std::vector<std::size_t> starts_;
+  std::vector<std::size_t> ends_;
+  Classes classes_;
+  std::vector<std::size_t> parallels_;  ///< one number for lines that are parallel, 0 for others
+  std::set<std::pair<std::size_t, std::size_t>> coincident_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace
+
+bool is_line(const RationalCurve& curve) {
+  return degree(curve) == 1 && curve.weight().is_constant();
+}
+
+TrimmedCurves trimmed(const BoundaryCurves& curves, const std::string& function) {
+  return Trimmer(curves, function).make();
+}
+
+}  // namespace phrame

@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "phrame/ph/curve/curve_arc.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
+
+namespace phrame::inline v0 {
+
+/// A disc of the plane.
+struct Disc {
+  Vector<Rational> center;  ///< in the plane
+  Rational radius;          ///< of any sign
+};
+
+/// What is inside of discs whose centers and radii are polynomials on [0, 1]: of what is nearer to
+/// a path than |d| all have the radius |d|.
+class DiscCover {
+ public:
+  /// Of each track the x and y of the centers, and the radii, of any sign, not all of them 0.
+  explicit DiscCover(const std::vector<Vector<Polynomial>>& tracks);
+  /// Of the radius d ≠ 0 about all points of a path in a plane z = const.
+  DiscCover(const PhPath& path, const Rational& d);
+
+  /// A disc that the point is inside of, if there is any: decided exactly, on circles, too. `known`
+  /// is what |center − at|² − radius² of that track is known to be a multiple of, > 0 inside (0, 1)
+  /// but for double zeros: (s − t)² where a circle is touched from outside by what at(t) is on.
+  std::optional<Disc> disc_around(const Vector<Rational>& at, std::size_t track,
+                                  const Polynomial& known) const;
+  /// The same where nothing is known.
+  std::optional<Disc> disc_around(const Vector<Rational>& at) const;
+  /// Is one disc seen to have all of the box inside? Doubles, with their errors, decide that; false
+  /// says nothing.
+  bool covers(const PlaneBox& box) const;
+
+ private:
+  struct Part {
+    Vector<Polynomial> disc;                   ///< x, y, radius
+    std::vector<std::array<double, 3>> discs;  ///< some of them: x, y, a little less than radius²
+    PlaneBox box;                              ///< of all centers
+  };
+
+  void add_boxes(std::size_t node, std::size_t first, std::size_t last);
+  bool any_within(const PlaneBox& box, double reach,
+                  const std::function<bool(std::size_t part)>& is_wanted) const;
+
+  double reach_ = 0;  ///< a little more than the greatest radius
+  std::vector<Part> parts_;
+  std::vector<PlaneBox> boxes_;  ///< of all parts, of each half of them, and so on, as in a heap
+};
+
+/// (s − t)², in s.
+Polynomial double_zero(const Rational& t);
+
+}  // namespace phrame

@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "phrame/ph/offset/boundary.hpp"
+#include "phrame/ph/offset/minkowski_curve.hpp"
+#include "phrame/ph/offset/plane_tangent.hpp"
+
+namespace phrame::inline v0 {
+
+/// To which side of travel, for small t > 0.
+enum class Side {
+  right,  ///< as the offset by d > 0
+  left    ///< as that by d < 0
+};
+
+/// n(t), from the center of the disc at t to where it touches the envelope on that side:
+///   n = (± s·J(x, y) − r·(x, y))/(x² + y²),  J(x, y) = (y, −x),
+/// + to the right, with (x, y, r) = direction() and s = spacelike_root(): |n| = 1, and n·(x, y) =
+/// −r.
+PHRAME_API PlaneVector envelope_normal(const MinkowskiCurve& curve, Side side, const Rational& t);
+
+/// A side of the envelope of the discs: center + radius·n, a rational curve in the same t, of
+/// degree n + 2·max(deg c, deg d) to the right and n + 2·max(deg a, deg b) to the left at most, for
+/// n of the axis, with H along n turned to the left; no value where it is one point, in which all
+/// discs touch. Each point of it is on its disc, which it touches. Where s changes its sign, both
+/// sides meet, touching the tip of a disc, and change places.
+PHRAME_API std::optional<RationalCurve> envelope_side(const MinkowskiCurve& curve, Side side);
+
+/// Plane curves with radii: a medial axis, of a domain that is the union of the discs.
+using MedialAxis = std::vector<MinkowskiCurve>;
+
+/// A part of the envelope of a medial axis.
+struct EnvelopePiece {
+  enum class Kind { right, left, start_cap, end_cap };
+  RationalCurve curve;  ///< to the right along the segment, to the left backwards, 1 − t for t
+  std::size_t segment = 0;  ///< of the axis
+  Kind kind = Kind::right;  ///< a side of the envelope, or an arc of the disc at an end
+};
+
+/// The envelope with all that it has too much: sides and, where segments end or meet at a corner,
+/// arcs of the discs there. All go round the domain to the left where s > 0.
+struct Envelope {
+  MedialAxis axis;
+  std::vector<EnvelopePiece> pieces;
+  std::vector<std::size_t> behind;  ///< the piece that starts where each one ends, or no_segment
+};
+
+/// Segments meet without caps where their ends are one disc that they touch in the same points. One
+/// cap is enough of a disc that several segments end at. Throws DomainError for a radius that is
+/// negative in [0, 1] or 0 all along, naming the segment.
+PHRAME_API Envelope envelope(MedialAxis axis);
+/// The pieces in as few paths as possible.
+PHRAME_API std::vector<Path> paths(const Envelope& envelope);
+
+/// What is left of it.
+struct DomainBoundary {
+  Envelope envelope;
+  std::vector<TrimmedBranch> branches;      ///< loops, with the domain on their left
+  std::vector<UndecidedStretch> undecided;  ///< mostly none
+};
+/// The boundary of the domain: all points of the envelope that are inside of no disc. It is cut as
+/// trimmed_offset() cuts, and where s = 0; between these one rational point tells for all. Throws
+/// DomainError where an axis turns back at a cusp, and Undecided as trimmed_offset().
+PHRAME_API DomainBoundary domain_boundary(MedialAxis axis);
+/// The branch as trimmed offsets have it, moved by less than 10^−digits of the greatest radius.
+PHRAME_API std::vector<Path> paths(const DomainBoundary& boundary, const TrimmedBranch& branch,
+                                   long digits);
+
+}  // namespace phrame
