@@ -98,6 +98,8 @@ struct MinimalTwistQuery;
 struct MinimalTwistAnswer;
 struct PathTwistQuery;
 struct PathTwistAnswer;
+struct EnvelopeQuery;
+struct EnvelopeAnswer;
 struct OffsetQuery;
 struct OffsetAnswer;
 struct PageQuery;

@@ -16,6 +16,7 @@
 #include "phrame/answer/classification.hpp"
 #include "phrame/answer/compiled.hpp"
 #include "phrame/answer/construction.hpp"
+#include "phrame/answer/envelope.hpp"
 #include "phrame/answer/frame_table.hpp"
 #include "phrame/answer/identification.hpp"
 #include "phrame/answer/info.hpp"
@@ -32,6 +33,7 @@
 
 // What is read.
 #include "phrame/io/read/any_path.hpp"
+#include "phrame/io/read/axis_file.hpp"
 #include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/io/read/expression.hpp"

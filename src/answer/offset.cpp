@@ -14,15 +14,6 @@
 namespace phrame::inline v0 {
 namespace {
 
-/// With 12 digits.
-Decimal decimal_of(const RealBall& x) {
-  constexpr long digits = 12;
-  const Rational middle = x.midpoint();
-  Decimal decimal = round_to_decimal(Real(middle), digits);
-  decimal.radius = upper_bound_text(x.radius() + abs(middle) * power_of_ten(1 - digits));
-  return decimal;
-}
-
 OffsetAnswer::Measure measure(const DefiniteIntegral& found, const std::string& name, long digits) {
   return {found.exact, rounded_or_zero(found.value, name, digits)};
 }
@@ -145,17 +136,9 @@ class TrimReport {
   }
 
   OffsetAnswer::Measure measure(const Real& x, const std::string& name) const {
-    OffsetAnswer::Measure found{std::nullopt, rounded(x, name)};
+    OffsetAnswer::Measure found{std::nullopt, rounded_as_known(x, name, digits_)};
     if (x.exact()) found.exact = exact_value(*x.exact());
     return found;
-  }
-
-  /// Where a cut is undecided with its radius.
-  Decimal rounded(const Real& x, const std::string& name) const {
-    constexpr long bits = 128;
-    const RealBall near = x.exact() ? RealBall() : x.enclose(bits);
-    if (x.exact() || near.is_accurate(bits / 2)) return rounded_or_zero(x, name, digits_);
-    return decimal_of(near);
   }
 
   Real parameter(std::size_t piece, const Real& t) const {
@@ -165,13 +148,7 @@ class TrimReport {
   }
 
   OffsetAnswer::End end(std::size_t piece, const Real& t) const {
-    const RationalCurve& curve = trimmed_.offset.pieces[piece].curve;
-    const auto at = [&](std::size_t k) {
-      return rounded(value({curve.numerator()[k], curve.weight()}, Place(0, t)),
-                     "a point of the offset");
-    };
-    const Real of_path = parameter(piece, t);
-    return {of_path, rounded(of_path, "t of a cut"), {at(0), at(1)}};
+    return boundary_end(trimmed_.offset.pieces[piece].curve, t, parameter(piece, t), digits_);
   }
 
   const PhPath& path_;

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/answer/boundary_end.hpp"
 #include "phrame/export.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/ph/curve/path.hpp"
@@ -66,12 +67,7 @@ struct OffsetAnswer {
     Measure length;                       ///< of all of it
     std::optional<Measure> area;          ///< signed, of a closed one
   };
-  /// An end of a part of a trimmed offset.
-  struct End {
-    Real t;                     ///< of the path, exact where that is known to be rational
-    Decimal rounded;            ///< to the digits asked for
-    std::array<Decimal, 2> at;  ///< x and y
-  };
+  using End = BoundaryEnd;
   /// What is left of the offset of one segment, or of what joins those at a corner.
   struct TrimmedPiece {
     End from;          ///< at a corner its t is that of the corner

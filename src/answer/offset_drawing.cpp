@@ -3,22 +3,43 @@
 #include <algorithm>
 
 namespace phrame::inline v0 {
+namespace {
+
+OffsetDrawing drawing_of(const std::string& question, const std::string& name,
+                         const std::vector<Path>& paths, const Rational& size) {
+  OffsetDrawing drawing{question, name, {}, size * power_of_ten(-6)};
+  for (const Path& path : paths)
+    drawing.paths.push_back({plane_cubics(path, drawing.tolerance), path.ends_meet()});
+  return drawing;
+}
+
+OffsetNurbs nurbs_of(const std::string& question, const std::string& name,
+                     const std::vector<Path>& paths) {
+  OffsetNurbs nurbs{question, name, {}};
+  for (const Path& path : paths) nurbs.parts.push_back({as_bspline(path), path.ends_meet()});
+  return nurbs;
+}
+
+}  // namespace
 
 OffsetDrawing drawing(const OffsetAnswer& answer) {
   std::vector<Rational> sizes;
   for (const auto& part : answer.offsets) sizes.push_back(abs(part.distance));
   for (const auto& part : answer.trimmed) sizes.push_back(abs(part.distance));
-  OffsetDrawing drawing{answer.path.name, {}, *std::ranges::min_element(sizes) * power_of_ten(-6)};
-  for (const Path& path : all_paths(answer))
-    drawing.paths.push_back({plane_cubics(path, drawing.tolerance), path.ends_meet()});
-  return drawing;
+  return drawing_of("offset", answer.path.name, all_paths(answer),
+                    *std::ranges::min_element(sizes));
+}
+
+OffsetDrawing drawing(const EnvelopeAnswer& answer) {
+  return drawing_of("envelope", answer.name, all_paths(answer), answer.greatest_radius);
 }
 
 OffsetNurbs nurbs(const OffsetAnswer& answer) {
-  OffsetNurbs nurbs{answer.path.name, {}};
-  for (const Path& path : all_paths(answer))
-    nurbs.parts.push_back({as_bspline(path), path.ends_meet()});
-  return nurbs;
+  return nurbs_of("offset", answer.path.name, all_paths(answer));
+}
+
+OffsetNurbs nurbs(const EnvelopeAnswer& answer) {
+  return nurbs_of("envelope", answer.name, all_paths(answer));
 }
 
 }  // namespace phrame

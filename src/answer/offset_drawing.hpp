@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/answer/envelope.hpp"
 #include "phrame/answer/offset.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/plane_cubics.hpp"
@@ -12,12 +13,14 @@ struct OffsetCubics {
 };
 /// All paths of an answer.
 struct OffsetDrawing {
+  std::string question;             ///< "offset" or "envelope"
   std::string name;                 ///< of the path
   std::vector<OffsetCubics> paths;  ///< in their order
   Rational tolerance;               ///< each is within that of the offset, which is proved
 };
-/// Within 10⁻⁶ of the least distance.
+/// Within 10⁻⁶ of the least distance, or of the greatest radius.
 OffsetDrawing drawing(const OffsetAnswer& answer);
+OffsetDrawing drawing(const EnvelopeAnswer& answer);
 
 /// The paths of an answer, each as one curve, exactly.
 struct OffsetNurbs {
@@ -26,9 +29,11 @@ struct OffsetNurbs {
     BSpline curve;   ///< as_bspline()
     bool is_closed;  ///< does it end where it begins?
   };
+  std::string question;     ///< "offset" or "envelope"
   std::string name;         ///< of the path
   std::vector<Part> parts;  ///< in their order
 };
 OffsetNurbs nurbs(const OffsetAnswer& answer);
+OffsetNurbs nurbs(const EnvelopeAnswer& answer);
 
 }  // namespace phrame

@@ -16,6 +16,7 @@ const CommandTable& answering_commands() {
       {"integrate", add_integrate},
       {"sweep", add_sweep},
       {"offset", add_offset},
+      {"envelope", add_envelope},
       {"transform", add_transform},
       {"compile", add_compile},
       {"check", add_check},

@@ -292,6 +292,7 @@ void add_identify(Program& program);
 void add_integrate(Program& program);
 void add_sweep(Program& program);
 void add_offset(Program& program);
+void add_envelope(Program& program);
 void add_transform(Program& program);
 void add_batch(Program& program);
 void add_compile(Program& program);

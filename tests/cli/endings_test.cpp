@@ -26,6 +26,7 @@ TEST_CASE("endings: those that mean another format are refused, and nothing is w
       {"integrate 1/x", "npy"},
       {"sweep quintic.json --profile circle:1/9", "py"},
       {"offset quintic.json --distance 1", "csv"},
+      {"envelope axis.json", "csv"},
       {"transform quintic.json", "csv"},
       {"batch lines.jsonl", "csv"},
       {"compile quintic.json", "py"},

@@ -30,6 +30,7 @@ void prepare(const Workshop& here) {
   here.write("spline.json", bytes_of(test::root("/examples/curves/closed-spline.json")));
   here.write("plane.json", R"({"phrame": "curve/1", "basis": "power",
       "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, "1/2"]}})");
+  here.write("axis.json", R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [5, 0, 4]]})");
   here.write("corner.json", R"({"phrame": "spline/1", "segments": [
       {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 1, 0]]}]})");
   here.write("points.json", R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
@@ -66,6 +67,7 @@ const std::vector<std::string> calls{
     "sweep plane.json --profile circle:1/2",
     "sweep plane.json --profile circle:1/2 --exact --format json",
     "offset corner.json --distance 1/2",
+    "envelope axis.json",
     "transform spline.json",
     "compile plane.json",
     "compile spline.json",

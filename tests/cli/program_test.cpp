@@ -34,6 +34,7 @@ TEST_CASE("program: each command succeeds, on the paper's quintic or a plane cub
   here.write("batch.jsonl",
              R"({"curve": )" + bytes_of(here.file("quintic.json")) + R"(, "at": ["1/2"]})" + "\n");
   here.write("points.csv", "x,y,z\n0,0,0\n1,1,0\n2,1,1\n");
+  here.write("axis.json", R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [5, 0, 4]]})");
   here.write("plane.json", bytes_of(test::root("/examples/curves/plane-cubic.json")));
   CHECK(here.run("frames quintic.json --samples 5 -o frames.csv").status == 0);
   CHECK(here.run("certify quintic.json --at 1 -o certificate.json").status == 0);
@@ -62,6 +63,7 @@ TEST_CASE("program: each command succeeds, on the paper's quintic or a plane cub
                      {"sweep quintic.json --profile circle:1/10 --exact --end-normal 0,0,1",
                       "\ndeg 2 13\nsurf 0 1 0 1 1 2 3 "},
                      {"offset plane.json --distance 1", "4/3 + π/2"},
+                     {"envelope axis.json", "line segment, degree 1"},
                      {"transform quintic.json --scale 2", "\"preimage\""},
                      {"batch batch.jsonl", "0.13516216082994723"},
                      {"compile quintic.json", "#ifndef "},

@@ -27,7 +27,7 @@ bool is_question(const Json& command) {
 const std::map<std::string, std::string> needed{
     {"CURVE", "quintic.json"}, {"FRAMES", "frames.csv"},       {"CERT", "angle.cert"},
     {"DATA", "points.json"},   {"EXPR", "-1/(x^4 + 1)"},       {"--feed", "1 + s"},
-    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}, {"--distance", "-1,1/2"}};
+    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}, {"--distance", "-1,1/2"}, {"AXIS", "axis.json"}};
 
 /// What else a command cannot do without, or wants in place of that, as command and option.
 const std::map<std::string, std::map<std::string, std::string>> needed_by{
@@ -82,6 +82,7 @@ std::string json_option(const Json& command) {
 
 void prepare(const Workshop& here) {
   here.write("plane.json", bytes_of(test::root("/examples/curves/plane-cubic.json")));
+  here.write("axis.json", R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [5, 0, 4]]})");
   here.write("points.json", R"({"phrame": "points/1", "points": [[0, 0], [1, 0.25]],
       "tangents": [[1, 1], [1, "-2"]]})");
   REQUIRE(here.run("frames quintic.json --samples 3 -o frames.csv").status == 0);

@@ -88,6 +88,7 @@ TEST_CASE("documents: every command shown prints what is shown") {
                                      "/docs/from-your-data.md",
                                      "/docs/integration.md",
                                      "/docs/minimal-twist.md",
+                                     "/docs/minkowski.md",
                                      "/docs/motion.md",
                                      "/docs/near.md",
                                      "/docs/offsets.md",

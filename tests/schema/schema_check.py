@@ -52,6 +52,11 @@ def formats_of(schema):
 
 
 VALIDATORS = {name: validator({"$ref": name}) for name in SCHEMAS}
+AXES = (  # a leaf, and a strip that ends in points; one that is lightlike, with a side that is a point
+    '{"phrame": "mph/1", "basis": "power", "preimage": {"u": [2], "v": [0, 1], "p": [0, 1], "q": [1]}, "start": [0, 0, 1]}',
+    '{"phrame": "mph/1", "name": "strip", "segments": [{"control_points": [[0, 0, 0], [1, 1, 1]]}, {"control_points": [[1, 1, 1], [3, 1, 1]]}]}',
+    '{"phrame": "mph/1", "basis": "power", "x": [-1, 2], "y": ["1/2", -2, 2], "r": [1, -2, 2]}',
+    '{"phrame": "mph/1", "basis": "power", "preimage": {"u": [2], "v": [0, 2], "p": [1], "q": [0, 1]}, "start": [0, 0, 2]}')
 FILE_OF = {name: file for file, schema in SCHEMAS.items() for name in formats_of(schema)}
 FILE_OF["curve/1"] = FILE_OF["spline/1"] = "path.json"
 EVERYTHING = int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1
@@ -141,6 +146,12 @@ def check_command_line(folder):
                 ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--trim", "--print", "json")
             if join != "open":
                 ask("offset", curve, "--distance", "1/2", "--join", join, "--print", "curve")
+    for k, text in enumerate(AXES):
+        axis = here / f"{k}.axis"
+        axis.write_text(text)
+        ask("envelope", axis, "--print", "json")
+        ask("envelope", axis, "--trim", "--print", "json")
+        ask("envelope", axis, "--trim", "--print", "curve")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"
     ask("sweep", rational, "--profile", "rectangle:1/9,1/7", "--exact", "--format", "json")

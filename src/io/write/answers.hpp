@@ -58,6 +58,13 @@ PHRAME_API std::string to_latex(const OffsetAnswer& answer);
 /// The offsets as a curve file, or, where they are several paths, one on each line.
 PHRAME_API std::string write_offsets(const OffsetAnswer& answer);
 /// @}
+/// @{ envelope/1.
+PHRAME_API std::string to_text(const EnvelopeAnswer& answer);
+PHRAME_API std::string to_json(const EnvelopeAnswer& answer);
+PHRAME_API std::string to_latex(const EnvelopeAnswer& answer);
+/// All paths, as those of offsets.
+PHRAME_API std::string write_envelope(const EnvelopeAnswer& answer);
+/// @}
 /// @{ mtf/1.
 PHRAME_API std::string to_text(const MinimalTwistAnswer& answer);
 PHRAME_API std::string to_json(const MinimalTwistAnswer& answer);

@@ -32,13 +32,14 @@ class DxfText {
   std::string text_;
 };
 
-void add_spline(DxfText& dxf, const OffsetNurbs::Part& part, std::size_t number) {
+void add_spline(DxfText& dxf, const OffsetNurbs::Part& part, const std::string& question,
+                std::size_t number) {
   const BSpline& spline = part.curve;
   const bool is_rational = !spline.weights.empty();
   dxf.add(0, "SPLINE");
   dxf.add(5, fmt::format("{:X}", 0x100 + number));
   dxf.add(100, "AcDbEntity");
-  dxf.add(8, fmt::format("offset-{}", number));
+  dxf.add(8, fmt::format("{}-{}", question, number));
   dxf.add(100, "AcDbSpline");
   dxf.add(70, 8 + (is_rational ? 4 : 0) + (part.is_closed ? 1 : 0));
   dxf.add(71, spline.degree);
@@ -69,7 +70,8 @@ std::string write_dxf(const OffsetNurbs& nurbs) {
   dxf.add(0, "ENDSEC");
   dxf.add(0, "SECTION");
   dxf.add(2, "ENTITIES");
-  for (std::size_t k = 0; k < nurbs.parts.size(); ++k) add_spline(dxf, nurbs.parts[k], k + 1);
+  for (std::size_t k = 0; k < nurbs.parts.size(); ++k)
+    add_spline(dxf, nurbs.parts[k], nurbs.question, k + 1);
   dxf.add(0, "ENDSEC");
   dxf.add(0, "EOF");
   return std::move(dxf).take();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/boundary_fields.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/curve_file.hpp"
@@ -35,8 +36,6 @@ Value measure_value(const OffsetAnswer::Measure& x) {
   return {Value::Words([&](Notation notation) { return in_words(x, notation); }),
           [&] { return json_of(x); }};
 }
-
-std::string at(const std::string& t, Notation notation) { return formula("t = " + t, notation); }
 
 Value cusps_value(const Part& part) {
   const auto rows = [&](Notation notation) {
@@ -134,16 +133,6 @@ Value stretches_value(const Part& part) {
   return {Value::Rows(rows), [&part, json] { return array_of(part.stretches, json); }};
 }
 
-Value paths_value(const std::vector<Path>& paths) {
-  const auto rows = [&](Notation) {
-    std::vector<std::string> list;
-    for (const Path& path : paths) list.push_back(heading(NamedPath("", path)));
-    return list;
-  };
-  const auto json = [](const Path& path) { return json_of(NamedPath("", path)); };
-  return {Value::Rows(rows), [&paths, json] { return array_of(paths, json); }};
-}
-
 Field distance_field(const Rational& d) {
   const auto words = [&](Notation notation) {
     return in_words(d, notation) + (d > 0 ? ", to the right of travel" : ", to the left of travel");
@@ -163,14 +152,8 @@ Fields fields(const Part& part) {
   return fields;
 }
 
-std::string in_words(const OffsetAnswer::End& end, bool is_join, Notation notation) {
-  const std::string t =
-      end.t.exact() ? in_words(*end.t.exact(), notation) : in_words(end.rounded, Notation::unicode);
-  return (is_join ? "the join at " : "") + at(t, notation);
-}
-
-JsonOutput json_of(const OffsetAnswer::End& end) {
-  return {{"t", json_of(end.t, end.rounded)}, {"point", {json_of(end.at[0]), json_of(end.at[1])}}};
+std::string is_join_text(const OffsetAnswer::TrimmedPiece& piece) {
+  return piece.is_join ? "the join at " : "";
 }
 
 /// From cut to cut.
@@ -184,14 +167,11 @@ Value stretches_value(const OffsetAnswer::Branch& branch) {
     std::size_t first = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       if (k + 1 < pieces.size() && !is_cut_behind(k)) continue;
-      list.push_back(fmt::format("from {} to {}",
-                                 in_words(pieces[first].from, pieces[first].is_join, notation),
-                                 in_words(pieces[k].to, pieces[k].is_join, notation)));
+      list.push_back(fmt::format(
+          "from {} to {}", in_words(pieces[first].from, is_join_text(pieces[first]), notation),
+          in_words(pieces[k].to, is_join_text(pieces[k]), notation)));
       if (k + 1 < pieces.size() || (branch.is_closed && is_cut_behind(k)))
-        list.back() +=
-            formula(fmt::format(", cut in ({}, {})", with_minus_sign(pieces[k].to.at[0].value),
-                                with_minus_sign(pieces[k].to.at[1].value)),
-                    notation);
+        list.back() += ", cut in " + point_in_words(pieces[k].to, notation);
       first = k + 1;
     }
     return list;
@@ -280,9 +260,7 @@ std::string to_latex(const OffsetAnswer& answer) {
 }
 
 std::string write_offsets(const OffsetAnswer& answer) {
-  std::vector<NamedPath> paths;
-  for (Path& path : all_paths(answer)) paths.emplace_back(answer.path.name, std::move(path));
-  return write_paths(paths);
+  return write_named(answer.path.name, all_paths(answer));
 }
 
 }  // namespace phrame

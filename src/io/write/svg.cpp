@@ -34,7 +34,7 @@ std::string write_svg(const OffsetDrawing& drawing) {
   std::string paths;
   std::size_t number = 0;
   for (const OffsetCubics& path : drawing.paths) {
-    paths += fmt::format("    <path id=\"offset-{}\" d=\"M{}", ++number,
+    paths += fmt::format("    <path id=\"{}-{}\" d=\"M{}", drawing.question, ++number,
                          svg_point(path.cubics.front().front()));
     for (const PlaneCubic& cubic : path.cubics) {
       paths +=
@@ -53,9 +53,9 @@ std::string write_svg(const OffsetDrawing& drawing) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n"
       "  <title>{}</title>\n"
-      "  <desc>phrame offset: cubics within {:.3g} of it, y as in the path</desc>\n"
+      "  <desc>phrame {}: cubics within {:.3g} of it, y as in the path</desc>\n"
       "  <g fill=\"none\" stroke=\"black\" stroke-width=\"{:.3g}\">\n{}  </g>\n</svg>\n",
-      view[0], view[1], view[2], view[3], element_text(drawing.name),
+      view[0], view[1], view[2], view[3], element_text(drawing.name), drawing.question,
       static_cast<double>(drawing.tolerance), std::max(view[2], view[3]) / 500, paths);
 }
 

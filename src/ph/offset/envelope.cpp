@@ -15,13 +15,11 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/offset/disc_cover.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
-#include "phrame/ph/offset/shadow.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -38,24 +36,6 @@ NormalFraction normal_of(const MinkowskiCurve& curve, Side side) {
   const Polynomial& c = abcd[side == Side::right ? 2 : 0];
   const Polynomial d = side == Side::right ? abcd[3] : -abcd[1];
   return {d * d - c * c, Rational(-2) * c * d, c * c + d * d};
-}
-
-/// On the circle of one of the segments, where it ends.
-struct AxisEnd {
-  Vector<Rational> disc;  ///< its center and radius
-  PlaneVector right;      ///< n on the side that is to the right of travel there
-  PlaneVector left;
-  int grows;  ///< where right = left, 1 where the radius grows
-  friend bool operator==(const AxisEnd&, const AxisEnd&) = default;
-};
-
-AxisEnd end_of(const MinkowskiCurve& curve, const Rational& t) {
-  AxisEnd end{evaluate(position(curve), t), envelope_normal(curve, Side::right, t),
-              envelope_normal(curve, Side::left, t), 0};
-  const Polynomial s = spacelike_root(curve);
-  if (t == 1 && sign_before_one(s) < 0) std::swap(end.right, end.left);
-  if (end.right == end.left) end.grows = Rational(direction(curve)[2](t)).sign();
-  return end;
 }
 
 Vector<Rational> in_plane(const Vector<Rational>& disc) { return {disc[0], disc[1], 0}; }
@@ -140,7 +120,7 @@ class EnvelopeMaker {
          side == Side::right ? EnvelopePiece::Kind::right : EnvelopePiece::Kind::left});
   }
 
-  void add_cap(const Vector<Rational>& disc, const PlaneVector& from, const PlaneVector& to,
+  void add_cap(const Vector<Rational>& disc, const PlaneDirection& from, const PlaneDirection& to,
                std::size_t segment, EnvelopePiece::Kind kind) {
     if (disc[2] == 0 || std::ranges::find(capped_, disc) != capped_.end()) return;
     capped_.push_back(disc);
@@ -165,97 +145,9 @@ class EnvelopeMaker {
   std::vector<Vector<Rational>> capped_;
 };
 
-bool is_cap(const EnvelopePiece& piece) {
-  return piece.kind == EnvelopePiece::Kind::start_cap || piece.kind == EnvelopePiece::Kind::end_cap;
-}
-
-/// Where a piece goes the other way than the boundary would: 2f·s is negative there.
-class Folds {
- public:
-  Folds(const EnvelopePiece& piece, const Polynomial& s) {
-    if (is_cap(piece)) return;
-    const Polynomial sign = piece.curve.multiplier() * s;
-    for (const RealRoot& root : real_roots(sign, open_interval(0, 1)))
-      roots_.push_back(enclose(root.at, 64));
-    for (std::size_t k = 0; k <= roots_.size(); ++k) {
-      const Rational from = k == 0 ? Rational(0) : roots_[k - 1].upper();
-      const Rational to = k == roots_.size() ? Rational(1) : roots_[k].lower();
-      is_folded_.push_back(from < to && sign((from + to) / 2) < 0);
-    }
-  }
-
-  bool contain(const Interval& part) const {
-    if (is_folded_.empty()) return false;
-    std::size_t k = 0;
-    while (k < roots_.size() && roots_[k].upper() < *part.lower) ++k;
-    return is_folded_[k] && (k == roots_.size() || *part.upper < roots_[k].lower());
-  }
-
- private:
-  std::vector<RealBall> roots_;
-  std::vector<bool> is_folded_;  ///< before each of them, and behind the last one
-};
-
-/// Of its segment.
-Rational parameter(const EnvelopePiece& piece, const Rational& t) {
-  return piece.kind == EnvelopePiece::Kind::left ? 1 - t : t;
-}
-
-OffsetBranches branches_of(const Envelope& envelope) {
-  OffsetBranches branches{{}, envelope.behind};
-  for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
-  return branches;
-}
-
-/// Where both sides change places, and where sides end on caps.
-std::vector<BoundaryEvent> events_of(const Envelope& envelope) {
-  std::vector<BoundaryEvent> events;
-  std::size_t place = 0;
-  for (std::size_t segment = 0; segment < envelope.axis.size(); ++segment) {
-    const MinkowskiCurve& curve = envelope.axis[segment];
-    for (const RealRoot& root : odd(real_roots(spacelike_root(curve), open_interval(0, 1)))) {
-      for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
-        const EnvelopePiece& piece = envelope.pieces[k];
-        if (piece.segment == segment && !is_cap(piece))
-          events.push_back(
-              {k, piece.kind == EnvelopePiece::Kind::left ? affine(root.at, -1, 1) : root.at,
-               place});
-      }
-      ++place;
-    }
-    for (const long t : {0L, 1L}) {
-      const AxisEnd end = end_of(curve, t);
-      for (const PlaneVector& n : {end.right, end.left}) {
-        const Vector<Rational> at{end.disc[0] + end.disc[2] * n.x, end.disc[1] + end.disc[2] * n.y,
-                                  0};
-        for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
-          const EnvelopePiece& piece = envelope.pieces[k];
-          if (!is_cap(piece)) continue;
-          const long of = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
-          if (evaluate(position(envelope.axis[piece.segment]), of) != end.disc) continue;
-          for (const RealAlgebraic& x : through(piece.curve, at, open_interval(0, 1)))
-            events.push_back({k, x, place});
-        }
-        ++place;
-      }
-    }
-  }
-  return events;
-}
-
-/// Of a control point.
-Rational greatest_radius(const Envelope& envelope) {
-  Rational most;
-  for (const MinkowskiCurve& curve : envelope.axis) {
-    const Polynomial radius = position(curve)[2];
-    for (const Rational& r : to_bernstein(radius, radius.degree())) most = std::max(most, r);
-  }
-  return most;
-}
-
 }  // namespace
 
-PlaneVector envelope_normal(const MinkowskiCurve& curve, Side side, const Rational& t) {
+PlaneDirection envelope_normal(const MinkowskiCurve& curve, Side side, const Rational& t) {
   const auto [x, y, weight] = normal_of(curve, side);
   const Rational size = weight(t);
   return {x(t) / size, y(t) / size};
@@ -273,74 +165,34 @@ std::optional<RationalCurve> envelope_side(const MinkowskiCurve& curve, Side sid
   return h[1] * x(0) - h[0] * y(0) > 0 ? found : found.turned_over();
 }
 
+Rational greatest_radius(const MedialAxis& axis) {
+  Rational most;
+  for (const MinkowskiCurve& curve : axis) {
+    const Polynomial radius = position(curve)[2];
+    for (const Rational& r : to_bernstein(radius, radius.degree())) most = std::max(most, r);
+  }
+  return most;
+}
+
+AxisEnd end_of(const MinkowskiCurve& curve, const Rational& t) {
+  AxisEnd end{evaluate(position(curve), t), envelope_normal(curve, Side::right, t),
+              envelope_normal(curve, Side::left, t), 0};
+  const Polynomial s = spacelike_root(curve);
+  if (t == 1 && sign_before_one(s) < 0) std::swap(end.right, end.left);
+  if (end.right == end.left) end.grows = Rational(direction(curve)[2](t)).sign();
+  return end;
+}
+
 Envelope envelope(MedialAxis axis) {
   if (axis.empty()) throw DomainError("envelope: the axis has no segment");
   require_radii(axis);
   return EnvelopeMaker(std::move(axis)).make();
 }
 
-std::vector<Path> paths(const Envelope& envelope) { return joined_paths(branches_of(envelope)); }
-
-DomainBoundary domain_boundary(MedialAxis axis) {
-  DomainBoundary result{envelope(std::move(axis)), {}, {}};
-  const Envelope& whole = result.envelope;
-  std::vector<Vector<Polynomial>> tracks;
-  for (std::size_t k = 0; k < whole.axis.size(); ++k) {
-    const auto turns = odd(real_roots(whole.axis[k].multiplier, open_interval(0, 1)));
-    if (!turns.empty())
-      throw DomainError(
-          fmt::format("domain_boundary: the axis turns back at a cusp, in segment {} at {}", k + 1,
-                      place_text("t", turns.front().at)));
-    tracks.push_back(position(whole.axis[k]));
-  }
-  const DiscCover discs(tracks);
-  const auto& pieces = whole.pieces;
-  std::vector<Folds> folds;
-  for (const EnvelopePiece& piece : pieces) {
-    const Polynomial s = spacelike_root(whole.axis[piece.segment]);
-    folds.emplace_back(piece, piece.kind == EnvelopePiece::Kind::left ? compose(s, {1, -1}) : s);
-  }
-  const auto disc_around = [&](std::size_t k, const Rational& t) {
-    const EnvelopePiece& piece = pieces[k];
-    const Polynomial known = !is_cap(piece) ? double_zero(parameter(piece, t))
-                             : piece.kind == EnvelopePiece::Kind::start_cap ? Polynomial{0, 1}
-                                                                            : Polynomial{1, -1};
-    return discs.disc_around(point(piece.curve, t), piece.segment, known);
-  };
-  BoundaryCurves curves{branches_of(whole), pieces.size(), {}, events_of(whole), true};
-  for (const EnvelopePiece& piece : pieces) {
-    const auto at = position(whole.axis[piece.segment]);
-    const long t = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
-    curves.centers.push_back(is_cap(piece) ? std::optional(in_plane(evaluate(at, t)))
-                                           : std::nullopt);
-  }
-  curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
-  curves.is_folded = [&](const CurvePart& part) {
-    return folds[part.segment].contain(interval_of(part));
-  };
-  curves.is_cut = [&](std::size_t k, const Rational& t) { return disc_around(k, t).has_value(); };
-  curves.is_covered = [&](std::size_t k, const Rational& from, const Rational& to) {
-    const auto disc = disc_around(k, (from + to) / 2);
-    return disc && is_nearer_along(pieces[k].curve, from, to, as_polynomials(disc->center), 0,
-                                   disc->radius);
-  };
-  curves.is_backward = [&](std::size_t k, const Rational& t) {
-    return !is_cap(pieces[k]) &&
-           spacelike_root(whole.axis[pieces[k].segment])(parameter(pieces[k], t)) < 0;
-  };
-  TrimmedCurves left = trimmed(curves, "domain_boundary");
-  result.branches = std::move(left.branches);
-  result.undecided = std::move(left.undecided);
-  return result;
-}
-
-std::vector<Path> paths(const DomainBoundary& boundary, const TrimmedBranch& branch, long digits) {
-  return branch_paths(
-      branch,
-      [&](std::size_t piece) -> const RationalCurve& {
-        return boundary.envelope.pieces[piece].curve;
-      },
-      greatest_radius(boundary.envelope), digits);
+std::vector<Path> paths(const Envelope& envelope) {
+  OffsetBranches branches{{}, envelope.behind};
+  for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
+  return joined_paths(branches);
 }
 
 }  // namespace phrame

@@ -1,8 +1,7 @@
 #pragma once
-#include <array>
 #include <optional>
 
-#include "phrame/ph/offset/boundary.hpp"
+#include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/minkowski_curve.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
@@ -18,7 +17,8 @@ enum class Side {
 ///   n = (± s·J(x, y) − r·(x, y))/(x² + y²),  J(x, y) = (y, −x),
 /// + to the right, with (x, y, r) = direction() and s = spacelike_root(): |n| = 1, and n·(x, y) =
 /// −r.
-PHRAME_API PlaneVector envelope_normal(const MinkowskiCurve& curve, Side side, const Rational& t);
+PHRAME_API PlaneDirection envelope_normal(const MinkowskiCurve& curve, Side side,
+                                          const Rational& t);
 
 /// A side of the envelope of the discs: center + radius·n, a rational curve in the same t, of
 /// degree n + 2·max(deg c, deg d) to the right and n + 2·max(deg a, deg b) to the left at most, for
@@ -30,12 +30,36 @@ PHRAME_API std::optional<RationalCurve> envelope_side(const MinkowskiCurve& curv
 /// Plane curves with radii: a medial axis, of a domain that is the union of the discs.
 using MedialAxis = std::vector<MinkowskiCurve>;
 
+/// With the name of its file.
+struct NamedAxis {
+  std::string name;
+  MedialAxis segments;
+};
+/// Of a control point of the segments, so that no disc is greater.
+PHRAME_API Rational greatest_radius(const MedialAxis& axis);
+
+/// An end of a segment: a disc, and where the sides of the envelope touch it.
+struct AxisEnd {
+  Vector<Rational> disc;  ///< its center and radius
+  PlaneDirection right;   ///< n on the side that is to the right of travel there
+  PlaneDirection left;
+  int grows;  ///< where right = left, 1 where the radius grows
+  friend bool operator==(const AxisEnd&, const AxisEnd&) = default;
+};
+/// At t = 0 or 1.
+AxisEnd end_of(const MinkowskiCurve& curve, const Rational& t);
+
 /// A part of the envelope of a medial axis.
 struct EnvelopePiece {
-  enum class Kind { right, left, start_cap, end_cap };
+  enum class Kind {
+    right,      ///< a side of the envelope
+    left,       ///< likewise, backwards: 1 − t for t
+    start_cap,  ///< an arc of the first disc
+    end_cap     ///< of the last one
+  };
   RationalCurve curve;  ///< to the right along the segment, to the left backwards, 1 − t for t
   std::size_t segment = 0;  ///< of the axis
-  Kind kind = Kind::right;  ///< a side of the envelope, or an arc of the disc at an end
+  Kind kind = Kind::right;
 };
 
 /// The envelope with all that it has too much: sides and, where segments end or meet at a corner,
@@ -52,19 +76,5 @@ struct Envelope {
 PHRAME_API Envelope envelope(MedialAxis axis);
 /// The pieces in as few paths as possible.
 PHRAME_API std::vector<Path> paths(const Envelope& envelope);
-
-/// What is left of it.
-struct DomainBoundary {
-  Envelope envelope;
-  std::vector<TrimmedBranch> branches;      ///< loops, with the domain on their left
-  std::vector<UndecidedStretch> undecided;  ///< mostly none
-};
-/// The boundary of the domain: all points of the envelope that are inside of no disc. It is cut as
-/// trimmed_offset() cuts, and where s = 0; between these one rational point tells for all. Throws
-/// DomainError where an axis turns back at a cusp, and Undecided as trimmed_offset().
-PHRAME_API DomainBoundary domain_boundary(MedialAxis axis);
-/// The branch as trimmed offsets have it, moved by less than 10^−digits of the greatest radius.
-PHRAME_API std::vector<Path> paths(const DomainBoundary& boundary, const TrimmedBranch& branch,
-                                   long digits);
 
 }  // namespace phrame

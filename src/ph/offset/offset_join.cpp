@@ -11,32 +11,32 @@
 namespace phrame::inline v0 {
 namespace {
 
-Rational dot(const PlaneVector& a, const PlaneVector& b) { return a.x * b.x + a.y * b.y; }
-Rational cross(const PlaneVector& a, const PlaneVector& b) { return a.x * b.y - a.y * b.x; }
+Rational dot(const PlaneDirection& a, const PlaneDirection& b) { return a.x * b.x + a.y * b.y; }
+Rational cross(const PlaneDirection& a, const PlaneDirection& b) { return a.x * b.y - a.y * b.x; }
 
 /// at + d·n.
-Vector<Rational> moved(const Vector<Rational>& at, const PlaneVector& n, const Rational& d) {
+Vector<Rational> moved(const Vector<Rational>& at, const PlaneDirection& n, const Rational& d) {
   return {at[0] + d * n.x, at[1] + d * n.y, at[2]};
 }
 
 /// Where the tangents at two unit vectors meet.
-PlaneVector pole(const PlaneVector& a, const PlaneVector& b) {
+PlaneDirection pole(const PlaneDirection& a, const PlaneDirection& b) {
   const Rational scale = 1 / (1 + dot(a, b));
   return {scale * (a.x + b.x), scale * (a.y + b.y)};
 }
 
-RationalCurve arc(const Vector<Rational>& center, const PlaneVector& a, const PlaneVector& b,
+RationalCurve arc(const Vector<Rational>& center, const PlaneDirection& a, const PlaneDirection& b,
                   const Rational& d) {
   return bezier_curve({moved(center, a, d), moved(center, pole(a, b), d), moved(center, b, d)},
                       {1, 1, 2 / (1 + dot(a, b))});
 }
 
-std::vector<RationalCurve> arcs(const Vector<Rational>& center, const PlaneVector& a,
-                                const PlaneVector& b, const Rational& d) {
+std::vector<RationalCurve> arcs(const Vector<Rational>& center, const PlaneDirection& a,
+                                const PlaneDirection& b, const Rational& d) {
   if (dot(a, b) > Rational(-1, 2)) return {arc(center, a, b, d)};
   const Rational cosine(7, 25);
   const Rational sine = cross(a, b) > 0 ? Rational(24, 25) : Rational(-24, 25);
-  const PlaneVector between{cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
+  const PlaneDirection between{cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
   return {arc(center, a, between, d), arc(center, between, b, d)};
 }
 
@@ -48,8 +48,8 @@ bool is_outside(const PlaneCorner& corner, const Rational& d) {
 
 std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational& d,
                                        OffsetJoin join) {
-  const PlaneVector a = right_normal(corner.before);
-  const PlaneVector b = right_normal(corner.after);
+  const PlaneDirection a = right_normal(corner.before);
+  const PlaneDirection b = right_normal(corner.after);
   std::vector<RationalCurve> pieces;
   if (join == OffsetJoin::round) pieces = arcs(corner.at, a, b, d);
   if (join == OffsetJoin::mitre) {
@@ -62,12 +62,12 @@ std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational
   return pieces;
 }
 
-std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneVector a,
-                                       const PlaneVector& b, const Rational& radius) {
+std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneDirection a,
+                                       const PlaneDirection& b, const Rational& radius) {
   std::vector<RationalCurve> found;
   const auto is_last = [&] { return cross(a, b) > 0 && dot(a, b) >= 0; };
   while (!is_last()) {
-    const PlaneVector left{-a.y, a.x};
+    const PlaneDirection left{-a.y, a.x};
     found.push_back(arc(center, a, left, radius));
     a = left;
   }
@@ -75,10 +75,10 @@ std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneVect
   return found;
 }
 
-std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1,
                                    const Rational& d) {
-  const PlaneVector n = right_normal(e1);
-  const PlaneVector ahead = d > 0 ? e1 : PlaneVector{-e1.x, -e1.y};
+  const PlaneDirection n = right_normal(e1);
+  const PlaneDirection ahead = d > 0 ? e1 : PlaneDirection{-e1.x, -e1.y};
   return {arc(at, n, ahead, d), arc(at, ahead, {-n.x, -n.y}, d)};
 }
 

@@ -8,10 +8,10 @@ namespace phrame::inline v0 {
 
 /// A corner of a plane path, seen along e₁.
 struct PlaneCorner {
-  Vector<Rational> at;  ///< where it is
-  PlaneVector before;   ///< e₁ where the path comes to it
-  PlaneVector after;    ///< e₁ where it goes on, not parallel to that
-  int sign;             ///< 1 where e₁ is r′/|r′|, −1 where it is the opposite
+  Vector<Rational> at;    ///< where it is
+  PlaneDirection before;  ///< e₁ where the path comes to it
+  PlaneDirection after;   ///< e₁ where it goes on, not parallel to that
+  int sign;               ///< 1 where e₁ is r′/|r′|, −1 where it is the opposite
 };
 
 /// Is the offset to the right of e₁ by d on the outer side of the corner, where the offsets of both
@@ -26,11 +26,11 @@ std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational
 
 /// The arc of a circle from center + radius·a to the left to center + radius·b, of unit vectors, in
 /// quarters and what is left of the last one; where a = b, all of the circle.
-std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneVector a,
-                                       const PlaneVector& b, const Rational& radius);
+std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneDirection a,
+                                       const PlaneDirection& b, const Rational& radius);
 
 /// The half-circle about the end of a path, from at + d·n around it to at − d·n.
-std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneVector& e1,
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1,
                                    const Rational& d);
 
 }  // namespace phrame

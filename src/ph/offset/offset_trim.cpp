@@ -64,7 +64,7 @@ class StrokeMaker {
     const Curve& last = segments.back();
     add_cap(evaluate(position(last), 1), direction(plane_tangent(last), 1));
     add(phrame::offset(back, offset_.distance), back);
-    const PlaneVector start = direction(plane_tangent(segments.front()), 0);
+    const PlaneDirection start = direction(plane_tangent(segments.front()), 0);
     add_cap(segments.front().start(), {-start.x, -start.y});
     stroke_.branches.behind.back() = 0;
     return std::move(stroke_);
@@ -88,7 +88,7 @@ class StrokeMaker {
     if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }
 
-  void add_cap(const Vector<Rational>& at, const PlaneVector& e1) {
+  void add_cap(const Vector<Rational>& at, const PlaneDirection& e1) {
     for (RationalCurve& curve : end_cap(at, e1, offset_.distance)) {
       stroke_.branches.curves.push_back(std::move(curve));
       stroke_.branches.behind.push_back(stroke_.branches.curves.size());

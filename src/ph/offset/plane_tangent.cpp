@@ -29,7 +29,7 @@ PlaneTangent plane_tangent(const Curve& curve) {
   return tangent;
 }
 
-PlaneVector direction(const PlaneTangent& tangent, const Rational& t) {
+PlaneDirection direction(const PlaneTangent& tangent, const Rational& t) {
   const Rational sigma = tangent.sigma(t);
   return {tangent.x(t) / sigma, tangent.y(t) / sigma};
 }

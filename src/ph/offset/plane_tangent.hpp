@@ -19,15 +19,15 @@ bool is_level(const Curve& curve);
 /// Throws DomainError where the curve is in no plane z = const.
 PlaneTangent plane_tangent(const Curve& curve);
 
-/// A direction or a point of the plane.
-struct PlaneVector {
+/// A direction of the plane.
+struct PlaneDirection {
   Rational x;  ///< its x
   Rational y;  ///< its y
-  friend bool operator==(const PlaneVector&, const PlaneVector&) = default;
+  friend bool operator==(const PlaneDirection&, const PlaneDirection&) = default;
 };
 /// e₁ there, exact.
-PlaneVector direction(const PlaneTangent& tangent, const Rational& t);
+PlaneDirection direction(const PlaneTangent& tangent, const Rational& t);
 /// (e₁, n) turn to the right: n = (e₁y, −e₁x).
-inline PlaneVector right_normal(const PlaneVector& e1) { return {e1.y, -e1.x}; }
+inline PlaneDirection right_normal(const PlaneDirection& e1) { return {e1.y, -e1.x}; }
 
 }  // namespace phrame

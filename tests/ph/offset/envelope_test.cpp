@@ -1,4 +1,4 @@
-#include "phrame/ph/offset/envelope.hpp"
+#include "phrame/ph/offset/domain_boundary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -175,13 +175,13 @@ TEST_CASE("envelope: law: each point is on its disc and touches it") {
       const auto abcd = null_factors(curve);
       const std::size_t first = side == Side::right ? 2 : 0;
       CHECK(degree(*found) <= n + 2 * std::max(abcd[first].degree(), abcd[first + 1].degree()));
-      const PlaneVector normal = envelope_normal(curve, side, Rational(1, 3));
+      const PlaneDirection normal = envelope_normal(curve, side, Rational(1, 3));
       CHECK(r[2](Rational(1, 3)) * normal.x * w(Rational(1, 3)) == x(Rational(1, 3)));
       const Vector<Rational> h = evaluate(found->direction(), Rational(1, 3));
       CHECK(h[1] * normal.x - h[0] * normal.y > 0);
     }
     // To the right of travel, where that is spacelike.
-    const PlaneVector normal = envelope_normal(curve, Side::right, power_of_ten(-60));
+    const PlaneDirection normal = envelope_normal(curve, Side::right, power_of_ten(-60));
     const Vector<Rational> way = evaluate(direction(curve), power_of_ten(-60));
     CHECK(way[0] * normal.y - way[1] * normal.x < 0);
   });

@@ -1,0 +1,43 @@
+#include "phrame/io/write/boundary_fields.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/io/write/curve_file.hpp"
+#include "phrame/io/write/heading.hpp"
+
+namespace phrame::inline v0 {
+
+std::string at(const std::string& t, Notation notation) { return formula("t = " + t, notation); }
+
+Value paths_value(const std::vector<Path>& paths) {
+  const auto rows = [&](Notation) {
+    std::vector<std::string> list;
+    for (const Path& path : paths) list.push_back(heading(NamedPath("", path)));
+    return list;
+  };
+  const auto json = [](const Path& path) { return json_of(NamedPath("", path)); };
+  return {Value::Rows(rows), [&paths, json] { return array_of(paths, json); }};
+}
+
+std::string in_words(const BoundaryEnd& end, const std::string& before, Notation notation) {
+  return before + (end.t.exact() ? at_place(*end.t.exact(), notation)
+                                 : at(in_words(end.rounded, Notation::unicode), notation));
+}
+
+std::string point_in_words(const BoundaryEnd& end, Notation notation) {
+  return formula(
+      fmt::format("({}, {})", with_minus_sign(end.at[0].value), with_minus_sign(end.at[1].value)),
+      notation);
+}
+
+JsonOutput json_of(const BoundaryEnd& end) {
+  return {{"t", json_of(end.t, end.rounded)}, {"point", {json_of(end.at[0]), json_of(end.at[1])}}};
+}
+
+std::string write_named(const std::string& name, std::vector<Path> paths) {
+  std::vector<NamedPath> named;
+  for (Path& path : paths) named.emplace_back(name, std::move(path));
+  return write_paths(named);
+}
+
+}  // namespace phrame

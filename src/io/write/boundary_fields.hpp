@@ -1,0 +1,27 @@
+#pragma once
+#include "phrame/answer/boundary_end.hpp"
+#include "phrame/io/write/field.hpp"
+#include "phrame/ph/curve/path.hpp"
+
+namespace phrame::inline v0 {
+
+// What the reports of offsets and of envelopes share.
+
+/// "t = 1/2".
+std::string at(const std::string& t, Notation notation);
+/// The same of a number in words.
+template <class T>
+std::string at_place(const T& t, Notation notation) {
+  return formula("t =", notation) + " " + in_words(t, notation);
+}
+/// A heading for each, in JSON as curve files.
+Value paths_value(const std::vector<Path>& paths);
+/// "the join at t = 1/2".
+std::string in_words(const BoundaryEnd& end, const std::string& before, Notation notation);
+/// "(1.5, 2)".
+std::string point_in_words(const BoundaryEnd& end, Notation notation);
+JsonOutput json_of(const BoundaryEnd& end);
+/// As curve files, each with that name.
+std::string write_named(const std::string& name, std::vector<Path> paths);
+
+}  // namespace phrame
