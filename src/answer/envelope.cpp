@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/answer/rounded.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/domain_boundary.hpp"

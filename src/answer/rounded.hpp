@@ -1,8 +1,10 @@
 #pragma once
 #include <string>
 
+#include "phrame/answer/boundary_end.hpp"
 #include "phrame/answer/error_size.hpp"
 #include "phrame/ph/along/path_totals.hpp"
+#include "phrame/ph/curve/rational_curve.hpp"
 
 namespace phrame::inline v0 {
 
@@ -21,5 +23,13 @@ Decimal rounded_or_zero(const Real& x, const std::string& name, long digits);
 
 /// The size of a number ≥ 0.
 ErrorSize error_size(const Real& number, const std::string& name, long digits);
+
+/// Where a curve has the parameter t, and the path another one.
+BoundaryEnd boundary_end(const RationalCurve& curve, const Real& t, const Real& of_path,
+                         long digits);
+/// With 12 digits, and a radius.
+Decimal decimal_of(const RealBall& x);
+/// To the digits asked for; where no enclosure is narrow, as of a cut that is undecided, as above.
+Decimal rounded_as_known(const Real& x, const std::string& name, long digits);
 
 }  // namespace phrame

@@ -9,6 +9,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/axis_end.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
 #include "phrame/ph/offset/shadow.hpp"
 

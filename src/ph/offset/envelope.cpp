@@ -18,6 +18,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/axis_end.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 

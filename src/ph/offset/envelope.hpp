@@ -3,7 +3,7 @@
 
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/minkowski_curve.hpp"
-#include "phrame/ph/offset/plane_tangent.hpp"
+#include "phrame/ph/offset/plane_direction.hpp"
 
 namespace phrame::inline v0 {
 
@@ -37,17 +37,6 @@ struct NamedAxis {
 };
 /// Of a control point of the segments, so that no disc is greater.
 PHRAME_API Rational greatest_radius(const MedialAxis& axis);
-
-/// An end of a segment: a disc, and where the sides of the envelope touch it.
-struct AxisEnd {
-  Vector<Rational> disc;  ///< its center and radius
-  PlaneDirection right;   ///< n on the side that is to the right of travel there
-  PlaneDirection left;
-  int grows;  ///< where right = left, 1 where the radius grows
-  friend bool operator==(const AxisEnd&, const AxisEnd&) = default;
-};
-/// At t = 0 or 1.
-AxisEnd end_of(const MinkowskiCurve& curve, const Rational& t);
 
 /// A part of the envelope of a medial axis.
 struct EnvelopePiece {

@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/offset/plane_direction.hpp"
 
 namespace phrame::inline v0 {
 
@@ -19,15 +20,7 @@ bool is_level(const Curve& curve);
 /// Throws DomainError where the curve is in no plane z = const.
 PlaneTangent plane_tangent(const Curve& curve);
 
-/// A direction of the plane.
-struct PlaneDirection {
-  Rational x;  ///< its x
-  Rational y;  ///< its y
-  friend bool operator==(const PlaneDirection&, const PlaneDirection&) = default;
-};
 /// e₁ there, exact.
 PlaneDirection direction(const PlaneTangent& tangent, const Rational& t);
-/// (e₁, n) turn to the right: n = (e₁y, −e₁x).
-inline PlaneDirection right_normal(const PlaneDirection& e1) { return {e1.y, -e1.x}; }
 
 }  // namespace phrame
