@@ -75,7 +75,7 @@ TEST_CASE("offset: law: write, read, the same curves, with joins and with weight
     for (const OffsetJoin join : {OffsetJoin::round, OffsetJoin::mitre})
       for (const Path& offset : paths(offset(path, random.integer(0, 1) == 0 ? -1 : 2, join))) {
         CHECK(read_any_path(write_path(NamedPath("", offset))).path == offset);
-        const OffsetNurbs one{"", {{as_bspline(offset), offset.ends_meet()}}};
+        const OffsetNurbs one{"offset", "", {{as_bspline(offset), offset.ends_meet()}}};
         const NamedPath nurbs = read_any_path(write_nurbs(one));
         const NamedPath dxf = read_any_path(write_dxf(one));
         for (long k = 0; k < 2; ++k) {
