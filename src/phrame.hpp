@@ -63,6 +63,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/corner.hpp"
+#include "phrame/ph/curve/rational_ph.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"

@@ -9,10 +9,12 @@ std::string basis_named(const std::string& name) {
 
 NamedPath of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle start,
                       const std::string& name, const std::string& basis) {
-  Polynomial f{1};
-  if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   Vector<Rational> from{};
   if (!start.is_none()) from = vector(start, "start");
+  if (nb::isinstance<RationalFunction>(multiplier))
+    return NamedPhPath(name, rational_ph_curve(a, nb::cast<RationalFunction>(multiplier), from));
+  Polynomial f{1};
+  if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   return NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from)));
 }
 
@@ -345,8 +347,9 @@ NamedPath of_paths(nb::handle curves, const std::string& name) {
 #define PHRAME_CURVE_PARAMETERS                                                       \
   nb::kw_only(), argument("multiplier") = nb::none(), argument("start") = nb::none(), \
                  argument("name") = "", argument("basis") = "power"
-#define PHRAME_CURVE_SIG                                                                \
-  "*, multiplier: Polynomial | collections.abc.Sequence[Number] | None = None, start: " \
+#define PHRAME_CURVE_SIG                                                                      \
+  "*, multiplier: Polynomial | RationalFunction | collections.abc.Sequence[Number] | None = " \
+  "None, start: "                                                                             \
   "Vector | None = None, name: str = '', basis: str = 'power'"
 #define PHRAME_CHOICE_SIG                                                                   \
   "tolerance: Number | None = None, solution: int = 1, select: str | None = None, angles: " \

@@ -26,7 +26,8 @@ std::optional<RoundedPoint> rounded_point(const Segment& segment) {
   const auto of = [](const Vector<Polynomial>& r) {
     return RoundedPoint{RoundedPolynomial(r[0]), RoundedPolynomial(r[1]), RoundedPolynomial(r[2])};
   };
-  if (const Curve* ph = ph_curve(segment)) return of(position(*ph));
+  const Curve* ph = ph_curve(segment);
+  if (ph != nullptr && ph->is_polynomial()) return of(position(*ph));
   const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr || !curve->weight().is_constant()) return std::nullopt;
   return of(Polynomial{1 / curve->weight().coefficient(0)} * curve->numerator());

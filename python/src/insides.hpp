@@ -23,6 +23,7 @@
 #include "phrame/io/read/given_segment.hpp"
 #include "phrame/ph/construct/cubic_interpolation.hpp"
 #include "phrame/ph/curve/rational_form.hpp"
+#include "phrame/ph/curve/rational_ph.hpp"
 
 // Texts for other programs, and meshes and frames for arrays.
 #include "phrame/answer/page.hpp"

@@ -39,16 +39,32 @@ nb::object packed(const ExpressionCurve& curve, VariableName variable) {
 nb::object packed(const PhSegment& segment, VariableName) {
   const Curve& curve = segment.curve();
   const auto& [u, v, p, q] = curve.preimage();
+  if (!curve.is_polynomial()) {
+    const Vector<Polynomial> X = numerator(curve);
+    return nb::make_tuple(to_python(u.coefficients()), to_python(v.coefficients()),
+                          to_python(p.coefficients()), to_python(q.coefficients()),
+                          to_python(curve.multiplier().coefficients()),
+                          to_python(X[0].coefficients()), to_python(X[1].coefficients()),
+                          to_python(X[2].coefficients()), to_python(curve.weight().coefficients()));
+  }
   return nb::make_tuple(to_python(u.coefficients()), to_python(v.coefficients()),
                         to_python(p.coefficients()), to_python(q.coefficients()),
                         to_python(curve.multiplier().coefficients()), to_python(curve.start()));
 }
 
 Segment unpacked(nb::handle packed) {
-  if (nb::len(packed) == 6)
-    return PhSegment(Curve({polynomial(packed[0], "u"), polynomial(packed[1], "v"),
-                            polynomial(packed[2], "p"), polynomial(packed[3], "q")},
-                           polynomial(packed[4], "f"), vector(packed[5], "start")));
+  const bool is_rational_ph = nb::len(packed) == 9;
+  if (nb::len(packed) == 6 || is_rational_ph) {
+    QuaternionPolynomial a{polynomial(packed[0], "u"), polynomial(packed[1], "v"),
+                           polynomial(packed[2], "p"), polynomial(packed[3], "q")};
+    Polynomial f = polynomial(packed[4], "f");
+    if (!is_rational_ph)
+      return PhSegment(Curve(std::move(a), std::move(f), vector(packed[5], "start")));
+    return PhSegment(Curve::quotient(
+        std::move(a), std::move(f),
+        {polynomial(packed[5], "x"), polynomial(packed[6], "y"), polynomial(packed[7], "z")},
+        polynomial(packed[8], "w")));
+  }
   const auto made = [&]() -> Segment {
     if (nb::len(packed) == 5)
       return RationalCurve(

@@ -43,8 +43,10 @@ const PathObject& path_argument(nb::handle x, std::string_view place) {
 std::string why_not_ph(const Path& path) {
   const auto& segments = path.segments();
   std::size_t k = 0;
-  while (ph_curve(segments[k]) != nullptr) ++k;
-  return "segments[" + std::to_string(k) + "] is no Pythagorean-hodograph curve";
+  const Curve* curve = nullptr;
+  while ((curve = ph_curve(segments[k])) != nullptr && curve->is_polynomial()) ++k;
+  return "segments[" + std::to_string(k) + "] is no " + (curve != nullptr ? "polynomial " : "") +
+         "Pythagorean-hodograph curve";
 }
 
 /// Throws a DomainError that is an AttributeError, too.
@@ -186,7 +188,7 @@ Reference reference_named(nb::handle name, const char* place, const PathObject& 
 namespace {
 
 const char* kind_of(const Segment& segment) {
-  if (ph_curve(segment) != nullptr) return "ph";
+  if (const Curve* ph = ph_curve(segment); ph != nullptr && ph->is_polynomial()) return "ph";
   const RationalCurve* curve = rational_curve(segment);
   if (curve == nullptr) return "expressions";
   return curve->weight().is_constant() ? "polynomial" : "rational";

@@ -19,7 +19,7 @@ AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
 
 /// Is it known of every number whether it is rational, or 0?
 bool is_in_closed_form(const PathAngle& angle) {
-  return angle.reference() != Reference::up && angle.path().is_ph();
+  return angle.reference() != Reference::up && angle.path().has_erf();
 }
 
 void add_formulas(AngleAnswer& answer, const PathAngle& angle, const AngleQuery& query) {

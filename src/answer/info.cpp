@@ -122,7 +122,7 @@ InfoAnswer answer(NamedPath named, const InfoQuery& query) {
                            : rounded(twist, "the twist", query.digits);
   const bool is_single = path.segments().size() == 1;
   const Curve* ph = is_single ? ph_curve(path.segments().front()) : nullptr;
-  if (ph != nullptr) {
+  if (ph != nullptr && ph->is_polynomial()) {
     add_turning(answer, *ph, query.digits);
     add_plane_forms(answer, *ph, query.digits);
   } else {

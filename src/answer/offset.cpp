@@ -5,6 +5,7 @@
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/offset_trim.hpp"
@@ -216,8 +217,7 @@ std::vector<OffsetAnswer::Trimmed> pocket(const PhPath& path, const OffsetQuery&
   if (!path.closing_turn()) throw DomainError("pocket: the path is open");
   if (!is_level(path.segments().front()))
     throw DomainError("offset: the path is in no plane z = const");
-  const Rational area = signed_area(path);
-  if (area.sign() * d.sign() >= 0)
+  if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
   return Pocket(path, d, query.join, query.digits).make();
 }
@@ -225,7 +225,7 @@ std::vector<OffsetAnswer::Trimmed> pocket(const PhPath& path, const OffsetQuery&
 }  // namespace
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
-  const auto path = named.path.ph();
+  const auto path = named.path.with_preimages();
   if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
   if (query.pocket)

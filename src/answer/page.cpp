@@ -179,7 +179,8 @@ void add_angles(FrameTable& table, const PathAngle& angle, const StartAngle& sta
              [&](std::size_t k) { return angle.closed_form(at[k].segment)->rate()(at[k].t); });
   add_column(table, "speed", [&](std::size_t k) {
     const Curve& curve = *ph_curve(angle.path().segments()[at[k].segment]);
-    return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t)));
+    const Rational w = curve.weight()(at[k].t);
+    return abs(Rational(curve.multiplier()(at[k].t) * sigma(curve.preimage())(at[k].t) / (w * w)));
   });
 }
 

@@ -55,7 +55,7 @@ const NamedPath* given_path(const std::string& file, const FileReading& reading)
 }
 
 NamedPhPath ph_path_of(const NamedPath& named) {
-  if (auto ph = as_ph(named)) return *std::move(ph);
+  if (auto ph = with_preimages(named)) return *std::move(ph);
   throw InputError("", fmt::format("this command {}", needs_ph(named.path)));
 }
 
@@ -94,6 +94,16 @@ bool is_polynomial(const Segment& segment) {
 
 }  // namespace
 
+void require_polynomial(const std::vector<Curve>& segments, const std::string& file) {
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    if (!segments[k].is_polynomial())
+      throw InputError(
+          file,
+          fmt::format("this command needs a polynomial Pythagorean-hodograph curve, and {} is "
+                      "a rational one",
+                      segments.size() == 1 ? "this" : fmt::format("segment {}", k + 1)));
+}
+
 std::string needs_ph(const Path& path) {
   const auto& segments = path.segments();
   const auto ph = std::find_if(segments.begin(), segments.end(), ph_curve);
@@ -120,7 +130,7 @@ Reference chosen_reference(const std::string& name) {
 
 void require_reference(const std::optional<Reference>& asked, const UpOption& up,
                        const Path& path) {
-  if (asked == Reference::euler_rodrigues && !path.is_ph())
+  if (asked == Reference::euler_rodrigues && !path.has_erf())
     throw InputError("--frame", "\"erf\" " + needs_ph(path));
   if (up.vector && asked && asked != Reference::up)
     throw InputError("--up", std::string("is of --frame up, and --frame is ") + name_of(*asked));
@@ -220,6 +230,7 @@ NamedCurve CurveOptions::read_curve() const {
   const NamedPhPath named = near || given_path(path, reading) || !reading.is_plain()
                                 ? read_path()
                                 : NamedPhPath(read_by(read_one_curve, *this));
+  require_polynomial(named.path.segments(), name_of_file(path));
   return one_curve(named);
 }
 
@@ -258,6 +269,12 @@ std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
 }
 
 NamedPhPath CurveOptions::read_path() const {
+  NamedPhPath named = read_path_with_preimages();
+  require_polynomial(named.path.segments(), name_of_file(path));
+  return named;
+}
+
+NamedPhPath CurveOptions::read_path_with_preimages() const {
   const auto within = epsilon();
   if (const NamedPath* named = given_path(path, reading))
     return at_place(path, ":", [&] { return ph_path_of(*named); });

@@ -46,7 +46,7 @@ void run(const OffsetOptions& options) {
                                                                    {"curve", write_offsets},
                                                                    {"nurbs", write_offset_nurbs}});
   const OffsetQuery asked = query(options);
-  const OffsetAnswer found = answer(options.curve.read_path(), asked);
+  const OffsetAnswer found = answer(options.curve.read_path_with_preimages(), asked);
   const bool is_curve = print == write_offsets || print == write_offset_nurbs;
   if (!options.output.empty()) {
     const std::string end = ending(options.output);

@@ -32,6 +32,8 @@
 #include "phrame/io/read/three_scene.hpp"
 #include "phrame/io/write/text.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -58,8 +60,8 @@ void append_given(GivenSegments& segments, const JsonNode& node, const CurveLimi
                     abbreviated(format)));
   GivenSegment segment = read_curve_segment(node, limits);
   const auto* curve = std::get_if<Curve>(&segment.form);
-  if (curve != nullptr && !node.find("start") && !segments.empty())
-    segment.form = Curve(curve->preimage(), curve->multiplier(), end_point(segments.back()));
+  if (curve != nullptr && !node.find("start") && !node.find("tangents") && !segments.empty())
+    segment.form = translated(*curve, end_point(segments.back()) - curve->start());
   segments.push_back(std::move(segment));
 }
 

@@ -13,6 +13,8 @@
 #include "phrame/ph/construct/near.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -59,10 +61,10 @@ NamedCurve read_any_curve(const Node& node, const CurveLimits& limits) {
 /// A segment says where it starts, or starts where the spline ends.
 void append_segment(PhPath& path, const Node& node, const CurveLimits& limits) {
   const Curve read = read_any_curve(node, limits).curve;
-  const bool says_start =
-      node.find("start") || node.find("control_points") || node.find("position");
+  const bool says_start = node.find("start") || node.find("control_points") ||
+                          node.find("position") || node.find("tangents");
   const Curve& last = path.segments().back();
-  const Curve next = says_start ? read : Curve(read.preimage(), read.multiplier(), end_point(last));
+  const Curve next = says_start ? read : translated(read, end_point(last) - read.start());
   try {
     path.append(next);
   } catch (const DomainError& error) {
@@ -183,7 +185,7 @@ NamedPhPath read_path(const JsonNode& node, const CurveLimits& limits) {
   const auto format = node.find("phrame");
   if (format && format->string() == "spline/1") return read_spline(node, limits);
   if (format && is_format_of_any_curve(format->string())) {
-    if (auto ph = as_ph(read_any_path(node, limits))) return *std::move(ph);
+    if (auto ph = with_preimages(read_any_path(node, limits))) return *std::move(ph);
     node.fail("this is no path of PH curves");
   }
   if (format && format->string() != "curve/1")

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/complex_form.hpp"
+#include "phrame/ph/curve/rational_ph.hpp"
 
 namespace phrame::inline v0 {
 
@@ -129,9 +130,10 @@ void require_format(const Node& node, std::string_view wanted) {
 }
 
 void require_curve_keys(const Node& node) {
-  node.require_known_keys({"phrame", "name", "basis", "start", "preimage", "quaternions", "hopf",
-                           "complex", "control_points", "weights", "position", "expressions",
-                           "variable", "from", "to", "multiplier", "note", "family", "expected"});
+  node.require_known_keys({"phrame",      "name",        "basis",    "start",          "preimage",
+                           "quaternions", "hopf",        "complex",  "control_points", "weights",
+                           "position",    "expressions", "variable", "from",           "to",
+                           "multiplier",  "tangents",    "note",     "family",         "expected"});
 }
 
 void require_curve(const Node& node) {
@@ -146,20 +148,61 @@ std::string read_name(const Node& curve) {
   return name ? name->string() : "";
 }
 
-NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
-  std::string name = read_name(node);
-  const CoefficientBasis basis(node, limits);
-  QuaternionPolynomial preimage = read_preimage(node, basis);
-  Polynomial multiplier{1};
-  if (const auto list = node.find("multiplier")) {
-    basis.require_list(*list);
-    multiplier = basis.polynomial(*list);
-    if (multiplier.is_zero()) list->fail("the multiplier is zero, so the curve is a single point");
+namespace {
+
+Polynomial read_polynomial(const Node& list, const CoefficientBasis& basis) {
+  basis.require_list(list);
+  return basis.polynomial(list.numbers());
+}
+
+/// A list, or {"numerator": …, "denominator": …}.
+RationalFunction read_rational_function(const Node& node, const CoefficientBasis& basis) {
+  if (!node.is(Kind::object)) return RationalFunction(read_polynomial(node, basis));
+  node.require_known_keys({"numerator", "denominator"});
+  Polynomial denominator = read_polynomial(node.at("denominator"), basis);
+  if (denominator.is_zero()) node.at("denominator").fail("the denominator is zero");
+  return {read_polynomial(node.at("numerator"), basis), std::move(denominator)};
+}
+
+RationalFunction read_multiplier(const Node& node, const CoefficientBasis& basis) {
+  const auto given = node.find("multiplier");
+  if (!given) return RationalFunction(Polynomial{1});
+  RationalFunction f = read_rational_function(*given, basis);
+  if (f.is_zero()) given->fail("the multiplier is zero, so the curve is a single point");
+  return f;
+}
+
+/// A plane curve by its tangents.
+Curve read_tangents(const Node& curve, const Node& node, const CoefficientBasis& basis) {
+  for (const char* key : {"preimage", "quaternions", "hopf", "complex", "multiplier", "start"})
+    if (curve.find(key)) curve.fail(fmt::format("\"tangents\" and \"{}\" exclude each other", key));
+  node.require_known_keys({"a", "b", "support"});
+  try {
+    return curve_of_tangents({read_polynomial(node.at("a"), basis),
+                              read_polynomial(node.at("b"), basis),
+                              read_rational_function(node.at("support"), basis)});
+  } catch (const DomainError& error) {
+    node.fail(error.what());
   }
-  Vector<Rational> start{};
-  if (const auto point = node.find("start")) start = read_point(*point);
-  NamedCurve result{std::move(name),
-                    Curve(std::move(preimage), std::move(multiplier), std::move(start))};
+}
+
+Curve read_any_preimage(const Node& node, const CoefficientBasis& basis) {
+  if (const auto tangents = node.find("tangents")) return read_tangents(node, *tangents, basis);
+  const QuaternionPolynomial preimage = read_preimage(node, basis);
+  const RationalFunction f = read_multiplier(node, basis);
+  const auto point = node.find("start");
+  const Vector<Rational> start = point ? read_point(*point) : Vector<Rational>{};
+  try {
+    return rational_ph_curve(preimage, f, start);
+  } catch (const DomainError& error) {
+    node.at("multiplier").fail(error.what());
+  }
+}
+
+}  // namespace
+
+NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
+  NamedCurve result{read_name(node), read_any_preimage(node, CoefficientBasis(node, limits))};
   if (degree(result.curve) > limits.max_degree)
     node.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
                           degree(result.curve), limits.max_degree));
@@ -168,7 +211,8 @@ NamedCurve read_preimage_curve(const Node& node, const CurveLimits& limits) {
 
 // The points say all: where the curve starts and, by its hodograph, f.
 NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits& limits) {
-  for (const char* key : {"preimage", "quaternions", "hopf", "complex", "multiplier", "start"})
+  for (const char* key :
+       {"preimage", "quaternions", "hopf", "complex", "tangents", "multiplier", "start"})
     if (node.find(key))
       node.fail(fmt::format("\"control_points\" and \"{}\" exclude each other", key));
   if (const auto basis = node.find("basis"); basis && basis->string() != "bernstein")

@@ -58,9 +58,11 @@ std::variant<Curve, std::string> identify_segment(const GivenSegment& segment) {
   if (const auto* curve = std::get_if<Curve>(&segment.form)) return *curve;
   if (std::holds_alternative<ExpressionCurve>(segment.form)) return "it is given by formulas";
   const auto& curve = std::get<RationalCurve>(segment.form);
-  if (!curve.weight().is_constant()) return "its weight function is no constant";
-  auto found = identify(hodograph(curve), point(curve, 0));
-  if (const auto* reason = std::get_if<NotPythagorean>(&found)) return to_string(*reason);
+  auto found = identify(curve);
+  if (const auto* reason = std::get_if<NotPythagorean>(&found))
+    return curve.weight().is_constant()
+               ? to_string(*reason)
+               : "its weight function W is no constant, and |W^2 r'| is no polynomial over Q";
   return std::get<Curve>(std::move(found));
 }
 

@@ -13,6 +13,7 @@
 #include "phrame/ph/curve/gap.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -21,7 +22,8 @@ namespace {
 /// No value of formulas.
 std::optional<Vector<Rational>> place_at(const GivenSegment& segment, const Rational& t) {
   if (const auto* curve = std::get_if<Curve>(&segment.form))
-    return t == 0 ? curve->start() : evaluate(position(*curve), t);
+    return t == 0 ? curve->start()
+                  : Rational(1 / curve->weight()(t)) * evaluate(numerator(*curve), t);
   if (const auto* curve = std::get_if<RationalCurve>(&segment.form)) return point(*curve, t);
   return std::nullopt;
 }
@@ -39,8 +41,9 @@ std::vector<Vector<Rational>> places_on(const GivenSegment& segment) {
   const std::array<Rational, 3> ts{0, Rational(1, 2), 1};
   std::vector<Vector<Rational>> places;
   if (const auto* curve = std::get_if<Curve>(&segment.form)) {
-    const Vector<Polynomial> r = position(*curve);
-    for (const Rational& t : ts) places.push_back(evaluate(r, t));
+    const Vector<Polynomial> r = numerator(*curve);
+    for (const Rational& t : ts)
+      places.push_back(Rational(1 / curve->weight()(t)) * evaluate(r, t));
   } else if (const auto* rational = std::get_if<RationalCurve>(&segment.form)) {
     for (const Rational& t : ts) places.push_back(point(*rational, t));
   }
@@ -77,7 +80,7 @@ class Gaps {
       if (!way) continue;
       count(*way);
       if (auto* ph = std::get_if<Curve>(&segments_[k].form))
-        *ph = Curve(ph->preimage(), ph->multiplier(), ph->start() - *way);
+        *ph = translated(*ph, Rational(-1) * *way);
       else
         move(segments_[k], Rational(-1) * *way, {1, -1});
     }

@@ -45,7 +45,7 @@ GivenSegment read_position_segment(const JsonNode& node, const JsonNode& positio
                                    const CurveLimits& limits) {
   refuse_keys_beside(
       node, "position",
-      {"preimage", "quaternions", "hopf", "complex", "multiplier", "start", "weights"});
+      {"preimage", "quaternions", "hopf", "complex", "tangents", "multiplier", "start", "weights"});
   const CoefficientBasis basis(node, limits);
   position.require_known_keys({"x", "y", "z", "w"});
   std::vector<JsonNode> lists{position.at("x"), position.at("y")};

@@ -36,7 +36,7 @@ std::pair<const char*, const char*> axes(const AngleAnswer& answer) {
 
 /// Is it a path of PH curves, by a frame that they all have closed forms to?
 std::optional<PhPath> ph_path(const AngleAnswer& answer) {
-  return answer.reference == Reference::up ? std::nullopt : answer.path.path.ph();
+  return answer.reference == Reference::up ? std::nullopt : answer.path.path.with_preimages();
 }
 
 /// In LaTeX with the constant; in text "0" where θ is one.
@@ -181,7 +181,7 @@ std::string rate_text(const AngleAnswer& answer) {
            "rotation-minimizing\n";
   if (answer.is_zero) return "  θ is constant: this frame is rotation-minimizing already\n";
   std::string text;
-  if (!answer.path.path.is_ph())
+  if (!answer.path.path.has_erf())
     text = fmt::format(
         "  θ′ = {}, H along r′\n  {}\n",
         answer.up ? "−(v·H) det(v, H, H′)/(|H| |v × H|²)" : "−|H| det(H, H′, H″)/|H × H′|²",
@@ -305,7 +305,7 @@ std::string to_text(const AngleAnswer& answer) {
 std::string to_latex(const AngleAnswer& answer) {
   std::string text = "\\begin{align*}\n";
   const bool is_single = answer.formulas.size() <= 1;
-  const bool is_ph = answer.path.path.is_ph();
+  const bool is_ph = answer.path.path.has_erf();
   if (!is_ph) text += "\\theta'(t) &= " + latex_rate(answer);
   for (std::size_t k = 0; k < answer.formulas.size(); ++k) {
     if (!answer.formulas[k]) continue;

@@ -8,6 +8,7 @@
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/rational_ph.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -201,6 +202,22 @@ Fields polynomial_fields(const InfoAnswer& info, const RationalCurve& curve) {
   return fields;
 }
 
+/// What a rational PH curve has beside.
+void add_preimage_fields(Fields& fields, const Curve& curve) {
+  const QuaternionPolynomial& a = curve.preimage();
+  fields.push_back(preimage_field(a));
+  fields.push_back({"ph_multiplier", "$f$ of $W²r′$", curve.multiplier()});
+  fields.push_back({"sigma", "$σ = |A|²$", Factored{sigma(a)}});
+  fields.push_back({"h", "$h$", Factored{twist_numerator(a)}});
+  fields.push_back({"g", "$g$", bend_numerator(a)});
+  fields.push_back({"rho", "$ρ = 4|g|²$", Factored{rho(a)}});
+  if (!complex_form(curve)) return;
+  const Vector<Polynomial> lines = line_coordinates(tangent_lines(curve));
+  fields.push_back(object_field(
+      "tangents",
+      {{"K", "tangent $K$", lines[0]}, {"L", "  $L$", lines[1]}, {"M", "  $M$", lines[2]}}));
+}
+
 /// Of the plane that the path is in, if it is in one.
 Field plane_field(const InfoAnswer& info) {
   if (info.is_straight)
@@ -298,7 +315,8 @@ Fields extreme_fields(const InfoAnswer& info) {
 Fields fields(const InfoAnswer& info) {
   const Path& path = info.path.path;
   const bool is_single = path.segments().size() == 1;
-  const Curve* ph = is_single ? ph_curve(path.segments().front()) : nullptr;
+  const Curve* any_ph = is_single ? ph_curve(path.segments().front()) : nullptr;
+  const Curve* ph = any_ph != nullptr && any_ph->is_polynomial() ? any_ph : nullptr;
   const Field length{"arc_length",
                      fmt::format("length $∫{}$", ph != nullptr ? "₀¹ |f|σ"
                                                  : info.up     ? " |r′|"
@@ -314,6 +332,7 @@ Fields fields(const InfoAnswer& info) {
   } else {
     const RationalCurve* curve = is_single ? rational_curve(path.segments().front()) : nullptr;
     if (curve != nullptr) add(polynomial_fields(info, *curve));
+    if (any_ph != nullptr) add_preimage_fields(fields, *any_ph);
     add(path_fields(info, length));
   }
   fields.push_back({"bending_energy",

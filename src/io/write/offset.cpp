@@ -231,7 +231,7 @@ std::string to_text(const OffsetAnswer& answer) {
   std::string text = heading(answer.path) + "\n";
   if (!answer.path.path.corners().empty() || closure(answer.path.path).at_corner)
     text += fmt::format("corners joined: {}\n", name_of(answer.join));
-  const std::string signs = notes_on_signs(*answer.path.path.ph());
+  const std::string signs = notes_on_signs(*answer.path.path.with_preimages());
   if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
   for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
   for (const auto& part : answer.trimmed) text += "\n" + to_rows(fields(part), width);

@@ -19,15 +19,19 @@
 namespace phrame::inline v0 {
 
 bool has_polynomial_length(const Curve& curve) {
+  if (!curve.is_polynomial()) return false;
   const Signs signs = multiplier_signs(curve);
   return !(signs.positive && signs.negative);
 }
 
 Polynomial arc_length(const Curve& curve) {
+  if (!curve.is_polynomial())
+    throw DomainError("arc length: the curve is rational, its length is no polynomial");
   return antiderivative(curve.multiplier() * sigma(curve.preimage()));
 }
 
 std::optional<Rational> arc_length(const Curve& curve, const Rational& a, const Rational& b) {
+  if (!curve.is_polynomial()) return std::nullopt;
   if (!odd(real_roots(curve.multiplier(), open_interval(a, b))).empty()) return std::nullopt;
   const Polynomial s = arc_length(curve);
   return Rational(abs(s(b) - s(a)));

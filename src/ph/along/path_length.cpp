@@ -134,7 +134,7 @@ RealBall PathLength::rate(std::size_t segment, const RealBall& t, long bits) con
 std::optional<RealAlgebraic> PathLength::root_near(std::size_t segment, const Real& t,
                                                    const Rational& s) const {
   const Curve* curve = ph_curve(state_->path.segments()[segment]);
-  if (curve == nullptr) return std::nullopt;
+  if (curve == nullptr || !curve->is_polynomial()) return std::nullopt;
   const RealBall around = t.enclose(72);
   const Interval near =
       closed_interval(std::max(around.lower(), Rational(0)), std::min(around.upper(), Rational(1)));

@@ -175,7 +175,8 @@ SegmentIntegral frenet_angle(const Segment& segment) {
 }
 
 SegmentIntegral arc_length(const Segment& segment) {
-  if (const Curve* curve = ph_curve(segment)) return arc_length_of(*curve);
+  const Curve* ph = ph_curve(segment);
+  if (ph != nullptr && ph->is_polynomial()) return arc_length_of(*ph);
   return visit_curve([](const auto& curve) { return arc_length_of(curve); }, segment);
 }
 

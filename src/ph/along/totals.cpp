@@ -122,7 +122,7 @@ std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
 
 CurveTotal total_length(const Curve& curve) {
   const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
-  return total(oriented(RationalFunction(speed), curve.multiplier()));
+  return total(oriented({speed, pow(curve.weight(), 2)}, curve.multiplier()));
 }
 
 TotalRate erf_twist_rate(const Curve& curve) {
@@ -134,7 +134,9 @@ CurveTotal erf_twist(const Curve& curve) { return total(erf_twist_rate(curve)); 
 TotalRate bending_energy_rate(const Curve& curve) {
   const Polynomial& f = curve.multiplier();
   const Polynomial speed = sigma(curve.preimage());
-  return oriented({rho(curve.preimage()), f * pow(speed, 3)}, f, {}, {{f, 1}, {speed, 3}});
+  const RationalFunction rate(rho(curve.preimage()) * pow(curve.weight(), 2), f * pow(speed, 3));
+  if (!curve.is_polynomial()) return oriented(rate, f);
+  return oriented(rate, f, {}, {{f, 1}, {speed, 3}});
 }
 
 std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
@@ -150,6 +152,7 @@ std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
 TotalRate frenet_energy_rate(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const Polynomial& f = curve.multiplier();
+  if (!curve.is_polynomial()) return oriented(frenet_rate_by_t(curve), f);
   const Polynomial size = norm(regular_bend(a));
   return oriented(frenet_rate_by_t(curve), f,
                   {differentiate(size), Rational(4) * size * f * sigma(a)},

@@ -81,8 +81,10 @@ Turns turns(const Curve& curve) {
   add_turns(found, Plotted::theta_rate, rate);
   add_turns(found, Plotted::curvature, squared_curvature(curve));
   if (!line_direction(curve.preimage())) add_turns(found, Plotted::torsion, torsion(curve));
-  const Polynomial speed = curve.multiplier() * sigma(curve.preimage());
-  add_turns(found, Plotted::speed, differentiate(speed) * curve.multiplier(), pow(speed, 2));
+  const RationalFunction speed(curve.multiplier() * sigma(curve.preimage()),
+                               pow(curve.weight(), 2));
+  add_turns(found, Plotted::speed, differentiate(speed).numerator() * curve.multiplier(),
+            speed * speed);
   return found;
 }
 

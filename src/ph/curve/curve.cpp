@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
@@ -20,26 +21,77 @@ Curve::Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Ration
     throw DomainError("Curve: the multiplier is zero, so the curve is a point");
 }
 
+Curve Curve::quotient(QuaternionPolynomial preimage, Polynomial multiplier,
+                      Vector<Polynomial> numerator, Polynomial weight) {
+  Curve made(std::move(preimage), std::move(multiplier));
+  const Rational w = weight(0);
+  if (w == 0) throw DomainError("Curve: the weight function is 0 at t = 0");
+  const Vector<Polynomial> rate = hodograph_numerator(made);
+  const Polynomial slope = differentiate(weight);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(differentiate(numerator[k]) * weight - numerator[k] * slope == rate[k]))
+      throw DomainError("Curve: f · A i A* is not X'W - XW'");
+    made.start_[k] = numerator[k](0) / w;
+  }
+  if (weight.is_constant()) {
+    made.multiplier_ *= 1 / (w * w);
+    return made;
+  }
+  made.weight_ = std::move(weight);
+  made.numerator_ = std::move(numerator);
+  return made;
+}
+
+Curve Curve::with_form(QuaternionPolynomial preimage, Polynomial multiplier) const {
+  Curve same = *this;
+  same.preimage_ = std::move(preimage);
+  same.multiplier_ = std::move(multiplier);
+  return same;
+}
+
 long preimage_degree(const Curve& curve) { return degree(curve.preimage()); }
 
 long degree(const Curve& curve) {
-  return 2 * preimage_degree(curve) + 1 + curve.multiplier().degree();
+  if (curve.is_polynomial()) return 2 * preimage_degree(curve) + 1 + curve.multiplier().degree();
+  long n = curve.weight().degree();
+  for (const Polynomial& x : numerator(curve)) n = std::max(n, x.degree());
+  return n;
 }
 
-Vector<Polynomial> hodograph(const Curve& curve) {
+namespace {
+
+void require_polynomial(const Curve& curve, const char* function) {
+  if (!curve.is_polynomial())
+    throw DomainError(
+        fmt::format("{}: the curve is rational, and this is of polynomial ones", function));
+}
+
+}  // namespace
+
+Vector<Polynomial> hodograph_numerator(const Curve& curve) {
   Vector<Polynomial> result = rotated_i(curve.preimage());
   for (Polynomial& component : result) component *= curve.multiplier();
   return result;
 }
 
+Vector<Polynomial> hodograph(const Curve& curve) {
+  require_polynomial(curve, "hodograph");
+  return hodograph_numerator(curve);
+}
+
+Vector<Polynomial> numerator(const Curve& curve) {
+  return curve.is_polynomial() ? position(curve) : curve.numerator_;
+}
+
 Vector<Polynomial> position(const Curve& curve) {
-  Vector<Polynomial> result = hodograph(curve);
+  require_polynomial(curve, "position");
+  Vector<Polynomial> result = hodograph_numerator(curve);
   for (std::size_t k = 0; k < 3; ++k)
     result[k] = antiderivative(result[k]) + Polynomial{curve.start()[k]};
   return result;
 }
 
-Polynomial hodograph_content(const Curve& curve) { return gcd(hodograph(curve)); }
+Polynomial hodograph_content(const Curve& curve) { return gcd(hodograph_numerator(curve)); }
 
 // The ends of isolating intervals and the middles between them meet every gap between two roots: an
 // open interval has no root at its ends, and between two roots that are points is their middle.
@@ -168,12 +220,13 @@ Vector<Polynomial> bezier_hodograph(const std::vector<Vector<Rational>>& points)
 
 Curve turned_over(const Curve& curve) {
   const QuaternionPolynomial j{{}, {}, Polynomial{1}, {}};
-  return Curve(curve.preimage() * j, -curve.multiplier(), curve.start());
+  return curve.with_form(curve.preimage() * j, -curve.multiplier());
 }
 
 std::ostream& operator<<(std::ostream& out, const Curve& curve) {
-  return out << "A = " << curve.preimage() << ", f = " << curve.multiplier()
-             << ", r(0) = " << curve.start();
+  out << "A = " << curve.preimage() << ", f = " << curve.multiplier();
+  if (!curve.is_polynomial()) out << ", W = " << curve.weight();
+  return out << ", r(0) = " << curve.start();
 }
 
 }  // namespace phrame

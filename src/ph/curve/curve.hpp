@@ -7,7 +7,9 @@ namespace phrame::inline v0 {
 
 /// A spatial Pythagorean-hodograph curve r(t), t ∈ ℝ (the segment is [0, 1]):
 ///   r′ = f · A i A*,  r(0) = start,
-/// with the preimage A ∈ ℍ[t] and the multiplier f ∈ ℚ[t], both not zero [Farouki 2003, (12)].
+/// with the preimage A ∈ ℍ[t] and the multiplier f ∈ ℚ[t], both not zero [Farouki 2003, (12)]. Of a
+/// rational one, r = X/W, it is r′ = f · A i A*/W²: what depends on A alone, and on the sign of f,
+/// is that of a polynomial curve.
 /// Frames and angles are those of A i A*, whatever the sign of f: e₁ = A i A*/σ is r′/|r′| where
 /// f > 0 and −r′/|r′| where f < 0.
 class PHRAME_API Curve {
@@ -17,10 +19,20 @@ class PHRAME_API Curve {
   explicit Curve(QuaternionPolynomial preimage, Polynomial multiplier = Polynomial{1});
   Curve(QuaternionPolynomial preimage, Polynomial multiplier, Vector<Rational> start);
   /// @}
+  /// The rational curve X/W. Throws DomainError where f · A i A* is not X′W − XW′, where W(0) = 0,
+  /// and likewise.
+  static Curve quotient(QuaternionPolynomial preimage, Polynomial multiplier,
+                        Vector<Polynomial> numerator, Polynomial weight);
 
   const QuaternionPolynomial& preimage() const { return preimage_; }  ///< A
   const Polynomial& multiplier() const { return multiplier_; }        ///< f
   const Vector<Rational>& start() const { return start_; }            ///< r(0)
+  const Polynomial& weight() const { return weight_; }                ///< W, 1 of polynomial ones
+  bool is_polynomial() const { return weight_.is_constant(); }        ///< is W = 1?
+
+  /// The same r with other A and f, of which f · A i A* is the same.
+  Curve with_form(QuaternionPolynomial preimage, Polynomial multiplier) const;
+  friend PHRAME_API Vector<Polynomial> numerator(const Curve& curve);
 
   friend bool operator==(const Curve&, const Curve&) = default;
 
@@ -28,6 +40,8 @@ class PHRAME_API Curve {
   QuaternionPolynomial preimage_;
   Polynomial multiplier_;
   Vector<Rational> start_;
+  Polynomial weight_{1};
+  Vector<Polynomial> numerator_;  ///< X of a rational one
 };
 
 /// The same curve with A·j and −f: e₁ and e₃ are reversed.
@@ -37,11 +51,18 @@ PHRAME_API Curve turned_over(const Curve& curve);
 PHRAME_API std::ostream& operator<<(std::ostream& out, const Curve& curve);
 
 PHRAME_API long preimage_degree(const Curve& curve);  ///< m
-PHRAME_API long degree(const Curve& curve);           ///< 2m + 1 + deg f, the degree of r
+/// The degree of r: 2m + 1 + deg f, or the greatest of X and W.
+PHRAME_API long degree(const Curve& curve);
 
-PHRAME_API Vector<Polynomial> hodograph(const Curve& curve);  ///< r′
-PHRAME_API Vector<Polynomial> position(const Curve& curve);   ///< r
-/// gcd(x′, y′, z′); constant for a primitive hodograph.
+/// @{ r′ and r of a polynomial curve. Throws DomainError for a rational one.
+PHRAME_API Vector<Polynomial> hodograph(const Curve& curve);
+PHRAME_API Vector<Polynomial> position(const Curve& curve);
+/// @}
+/// @{ W²·r′ = f · A i A* and X = W·r, of polynomial curves r′ and r.
+PHRAME_API Vector<Polynomial> hodograph_numerator(const Curve& curve);
+PHRAME_API Vector<Polynomial> numerator(const Curve& curve);
+/// @}
+/// gcd(x′, y′, z′), of the numerators of a rational one; constant for a primitive hodograph.
 PHRAME_API Polynomial hodograph_content(const Curve& curve);
 /// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
 struct Signs {

@@ -27,6 +27,8 @@ OverOneDenominator over_one_denominator(const std::vector<Rational>& list) {
 
 // With r′ = Σ_n f·c_n tⁿ it is start + Σ_n c_n·w_n, w_n = Σ_k f_k/(n + k + 1).
 Vector<Rational> end_point(const Curve& curve) {
+  if (!curve.is_polynomial())
+    return Rational(1 / curve.weight()(1)) * evaluate(numerator(curve), 1);
   const QuaternionPolynomial& a = curve.preimage();
   const auto m = static_cast<std::size_t>(preimage_degree(curve));
   std::vector<Rational> list;

@@ -126,13 +126,20 @@ std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph
   const HopfForm form =
       multiple(Rational(1, denominator(lambda)), {1, 0}, in_first_quadrant(multiple(1, root, w)));
   Curve result(from_hopf_form(form), Rational(rest) * f, start);
-  if (phrame::hodograph(result) != hodograph)
+  if (hodograph_numerator(result) != hodograph)
     throw Error("identify: the check failed, f · A i A* is not the hodograph");
   return result;
 }
 
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph) {
   return identify(hodograph, {});
+}
+
+std::variant<Curve, NotPythagorean> identify(const RationalCurve& curve) {
+  auto found = identify(hodograph(curve), point(curve, 0));
+  if (const auto* ph = std::get_if<Curve>(&found); ph != nullptr && !curve.weight().is_constant())
+    found = Curve::quotient(ph->preimage(), ph->multiplier(), curve.numerator(), curve.weight());
+  return found;
 }
 
 std::ostream& operator<<(std::ostream& out, const NotPythagorean& reason) {

@@ -2,7 +2,7 @@
 #include <variant>
 
 #include "phrame/export.hpp"
-#include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/rational_curve.hpp"
 
 namespace phrame::inline v0 {
 
@@ -36,5 +36,8 @@ PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>
                                                         const Vector<Rational>& start);
 /// The same with r(0) = (0, 0, 0).
 PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph);
+
+/// The same of X/W: of a rational curve r′ = f · A i A*/W².
+PHRAME_API std::variant<Curve, NotPythagorean> identify(const RationalCurve& curve);
 
 }  // namespace phrame

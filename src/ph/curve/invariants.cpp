@@ -40,6 +40,7 @@ AngleSplit closed_split(const QuaternionPolynomial& preimage) {
 }
 
 Polynomial triple_product(const Curve& curve) {
+  if (!curve.is_polynomial()) throw DomainError("triple product: the curve is rational");
   const QuaternionPolynomial& preimage = curve.preimage();
   const auto [a, b] = closed_split(preimage);
   return pow(curve.multiplier(), 3) * (a * rho(preimage) + b * sigma(preimage));
@@ -47,7 +48,7 @@ Polynomial triple_product(const Curve& curve) {
 
 RationalFunction squared_curvature(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
-  return {rho(a), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
+  return {rho(a) * pow(curve.weight(), 4), pow(curve.multiplier(), 2) * pow(sigma(a), 4)};
 }
 
 namespace {
@@ -62,7 +63,10 @@ RationalFunction torsion(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   const Polynomial squared_bend = rho(a);
   if (squared_bend.is_zero()) refuse_torsion();
-  return {triple_product(curve), pow(curve.multiplier(), 4) * pow(sigma(a), 2) * squared_bend};
+  const auto [of_bend, of_speed] = closed_split(a);
+  const Polynomial speed = sigma(a);
+  return {(of_bend * squared_bend + of_speed * speed) * pow(curve.weight(), 2),
+          curve.multiplier() * pow(speed, 2) * squared_bend};
 }
 
 // τ = (2hρ − 4 Im(g′ḡ)σ)/(fσ²ρ).
@@ -72,13 +76,14 @@ RationalFunction frenet_rate_by_t(const Curve& curve) {
   if (squared_bend.is_zero()) refuse_torsion();
   const Polynomial speed = sigma(a);
   const auto [of_bend, of_speed] = closed_split(a);
-  return {pow(squared_bend, 3) + pow(of_bend * squared_bend + of_speed * speed, 2),
+  return {(pow(squared_bend, 3) + pow(of_bend * squared_bend + of_speed * speed, 2)) *
+              pow(curve.weight(), 2),
           curve.multiplier() * pow(speed, 3) * pow(squared_bend, 2)};
 }
 
 RationalFunction squared_frenet_rate(const Curve& curve) {
   return frenet_rate_by_t(curve) *
-         RationalFunction({1}, curve.multiplier() * sigma(curve.preimage()));
+         RationalFunction(pow(curve.weight(), 2), curve.multiplier() * sigma(curve.preimage()));
 }
 
 // With d = A i A*: r′ = f·d, r′ × r″ = f²·d × d′ and |r′|³ = |f|³σ³, so κ = (d × d′)·n/(|f|σ³). In
@@ -107,7 +112,7 @@ RationalFunction signed_curvature(const Curve& curve) {
     throw DomainError("signed curvature: the unit normal of the plane is not rational, |N|² = " +
                       as_written(square));
   const Polynomial f = signs.negative ? -curve.multiplier() : curve.multiplier();
-  return {*length * w, f * pow(sigma(curve.preimage()), 3)};
+  return {*length * w * pow(curve.weight(), 2), f * pow(sigma(curve.preimage()), 3)};
 }
 
 }  // namespace phrame

@@ -29,7 +29,8 @@ struct DoublePh {
 /// No value where a factor of ρ has an odd exponent. All helices have one [Beltran, Monterde 2007].
 PHRAME_API std::optional<DoublePh> double_ph(const QuaternionPolynomial& a);
 
-/// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ).
+/// (r′ × r″)·r‴ = f³(2hρ − 4 Im(g′ḡ)σ). Throws DomainError for a rational curve; what follows is of
+/// these, too, with f/W² for f.
 PHRAME_API Polynomial triple_product(const Curve& curve);
 /// κ² = ρ/(f²σ⁴). The curvature of a cusp is a pole.
 PHRAME_API RationalFunction squared_curvature(const Curve& curve);

@@ -160,10 +160,19 @@ bool Path::has_corner(std::size_t k) const {
   return std::binary_search(corners_.begin(), corners_.end(), k);
 }
 
-bool Path::is_ph() const { return std::all_of(segments().begin(), segments().end(), ph_curve); }
+bool Path::is_ph() const {
+  return std::ranges::all_of(segments(), [](const Segment& segment) {
+    const Curve* curve = ph_curve(segment);
+    return curve != nullptr && curve->is_polynomial();
+  });
+}
 
-std::optional<PhPath> Path::ph() const {
-  if (!is_ph()) return std::nullopt;
+bool Path::has_erf() const { return std::ranges::all_of(segments(), ph_curve); }
+
+std::optional<PhPath> Path::ph() const { return is_ph() ? with_preimages() : std::nullopt; }
+
+std::optional<PhPath> Path::with_preimages() const {
+  if (!has_erf()) return std::nullopt;
   std::vector<Curve> curves;
   for (const Segment& segment : segments()) curves.push_back(*ph_curve(segment));
   return PhPath::of_continuous(std::move(curves), corners());
@@ -200,7 +209,7 @@ bool Path::closes_at_corner() const {
 }
 
 std::optional<GaussianRational> Path::closing_turn() const {
-  if (!is_ph()) return std::nullopt;
+  if (!has_erf()) return std::nullopt;
   return phrame::closing_turn(*ph_curve(segments().front()), *ph_curve(segments().back()));
 }
 
@@ -223,7 +232,11 @@ Path joined(std::vector<Segment> segments) {
 }
 
 std::optional<NamedPhPath> as_ph(const NamedPath& named) {
-  auto path = named.path.ph();
+  return named.path.is_ph() ? with_preimages(named) : std::nullopt;
+}
+
+std::optional<NamedPhPath> with_preimages(const NamedPath& named) {
+  auto path = named.path.with_preimages();
   if (!path) return std::nullopt;
   NamedPhPath ph(named.name, *std::move(path), named.near);
   ph.notes = named.notes;

@@ -42,9 +42,12 @@ class PHRAME_API Path {
   /// The numbers of the segments at whose start the tangent breaks, ascending.
   const std::vector<std::size_t>& corners() const { return corners_; }
   bool has_corner(std::size_t k) const;  ///< does the tangent break at the start of segment k?
-  bool is_ph() const;                    ///< are all of its segments PH curves?
-  /// The path of PH curves, where all of its segments are.
+  bool is_ph() const;                    ///< are all of its segments polynomial PH curves?
+  bool has_erf() const;                  ///< are they PH curves, rational ones among them?
+  /// The path of polynomial PH curves, where all of its segments are.
   std::optional<PhPath> ph() const;
+  /// The same of PH curves, polynomial or rational ones.
+  std::optional<PhPath> with_preimages() const;
   /// The greatest parameter.
   Rational end() const { return Rational(static_cast<long>(segments().size())); }
 
@@ -56,7 +59,7 @@ class PHRAME_API Path {
   bool is_closed() const;
   /// Is the path closed, and are the tangents at its ends different, or not told apart from that?
   bool closes_at_corner() const;
-  /// PhPath::closing_turn() of a path of PH curves; no value for others.
+  /// PhPath::closing_turn() of a path that has_erf(); no value for others.
   std::optional<GaussianRational> closing_turn() const;
 
   /// Are the segments equal, one by one?
@@ -106,14 +109,16 @@ struct NamedPath {
   /// @}
 };
 
-/// The same path, as one of PH curves, where it is one.
+/// @{ The same path, as one of polynomial PH curves, or of PH curves, where it is one.
 PHRAME_API std::optional<NamedPhPath> as_ph(const NamedPath& named);
+PHRAME_API std::optional<NamedPhPath> with_preimages(const NamedPath& named);
+/// @}
 
 /// The PH curve that segment k is. Throws DomainError where it is none and so has no
 /// Euler–Rodrigues frame.
 PHRAME_API const PhSegment& segment_with_erf(const Path& path, std::size_t k);
 
-/// Is the path a single PH curve, which has points for all t?
+/// Is the path a single polynomial PH curve, which has points for all t?
 PHRAME_API bool goes_on(const Path& path);
 /// The segment that t is in, the later one at a joint, and the parameter there, in [0, 1]; any
 /// where the path goes_on(). Throws DomainError for t outside [0, end()] of other paths.

@@ -58,7 +58,7 @@ Curve turned(const Curve& curve, const GaussianInteger& c) {
   if (c == GaussianInteger{1, 0}) return curve;
   const QuaternionPolynomial factor{Polynomial{Rational(c.re)}, Polynomial{Rational(c.im)}, {}, {}};
   const Polynomial slower{Rational(1) / Rational(norm(c))};
-  return Curve(curve.preimage() * factor, slower * curve.multiplier(), curve.start());
+  return curve.with_form(curve.preimage() * factor, slower * curve.multiplier());
 }
 
 }  // namespace

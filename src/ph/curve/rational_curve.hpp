@@ -42,7 +42,7 @@ PHRAME_API Vector<Polynomial> binormal(const RationalCurve& curve);
 /// r(t). Throws DomainError where W(t) = 0, so outside [0, 1].
 PHRAME_API Vector<Rational> point(const RationalCurve& curve, const Rational& t);
 
-/// r′ of a polynomial one, W = 1: p·H.
+/// W²·r′ = p·H; r′ of a polynomial one, W = 1.
 PHRAME_API Vector<Polynomial> hodograph(const RationalCurve& curve);
 
 /// The Bézier curve Σ wₖ Pₖ Bₖ/Σ wₖ Bₖ, with weights 1 where none are given. Throws DomainError for

@@ -18,7 +18,7 @@ const Curve& PhSegment::curve() const { return state_->curve; }
 
 const RationalCurve& PhSegment::by_positions() const {
   return state_->by_positions.get([this] {
-    const RationalCurve curve(position(this->curve()));
+    const RationalCurve curve(numerator(this->curve()), this->curve().weight());
     return sign_after_zero(this->curve().multiplier()) < 0 ? curve.turned_over() : curve;
   });
 }

@@ -40,8 +40,8 @@ class PHRAME_API PhSegment {
 /// A segment of a path of curves of any kind, on [0, 1].
 using Segment = std::variant<RationalCurve, ExpressionCurve, PhSegment>;
 
-/// @{ The curve that the segment is, where it is one: null for others. A PH curve is a rational
-/// one, too.
+/// @{ The curve that the segment is, where it is one: null for others. A PH curve is a curve X/W,
+/// too, and either polynomial or rational.
 PHRAME_API const Curve* ph_curve(const Segment& segment);
 PHRAME_API const RationalCurve* rational_curve(const Segment& segment);
 /// @}

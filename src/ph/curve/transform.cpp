@@ -109,28 +109,43 @@ Matrix diagonal(const Rational& c) {
 Curve segment(const Curve& curve, const Rational& a, const Rational& b) {
   require_apart(a, b);
   const Polynomial w{a, b - a};
+  const auto composed = [&w](const Vector<Polynomial>& r) -> Vector<Polynomial> {
+    return {compose(r[0], w), compose(r[1], w), compose(r[2], w)};
+  };
   const auto& [u, v, p, q] = curve.preimage();
-  return Curve({compose(u, w), compose(v, w), compose(p, w), compose(q, w)},
-               Rational(b - a) * compose(curve.multiplier(), w), evaluate(position(curve), a));
+  QuaternionPolynomial preimage{compose(u, w), compose(v, w), compose(p, w), compose(q, w)};
+  Polynomial f = Rational(b - a) * compose(curve.multiplier(), w);
+  if (curve.is_polynomial())
+    return Curve(std::move(preimage), std::move(f), evaluate(position(curve), a));
+  return Curve::quotient(std::move(preimage), std::move(f), composed(numerator(curve)),
+                         compose(curve.weight(), w));
 }
 
 Curve reversed(const Curve& curve) { return segment(curve, 1, 0); }
 
 Curve translated(const Curve& curve, const Vector<Rational>& v) {
-  return Curve(curve.preimage(), curve.multiplier(), curve.start() + v);
+  if (curve.is_polynomial()) return Curve(curve.preimage(), curve.multiplier(), curve.start() + v);
+  Vector<Polynomial> moved = numerator(curve);
+  for (std::size_t k = 0; k < 3; ++k) moved[k] += v[k] * curve.weight();
+  return Curve::quotient(curve.preimage(), curve.multiplier(), std::move(moved), curve.weight());
 }
 
 Curve scaled(const Curve& curve, const Rational& c) {
   require_nonzero(c);
-  return Curve(curve.preimage(), c * curve.multiplier(), c * curve.start());
+  if (curve.is_polynomial())
+    return Curve(curve.preimage(), c * curve.multiplier(), c * curve.start());
+  return Curve::quotient(curve.preimage(), c * curve.multiplier(),
+                         product(diagonal(c), numerator(curve)), curve.weight());
 }
 
 Curve rotated(const Curve& curve, const RationalQuaternion& u) {
   require_nonzero(u);
   const QuaternionPolynomial constant{{u.u}, {u.v}, {u.p}, {u.q}};
-  const auto& [x, y, z] = curve.start();
-  return Curve(constant * curve.preimage(), curve.multiplier(),
-               x * rotated_i(u) + y * rotated_j(u) + z * rotated_k(u));
+  const Matrix turn{rotated_i(u), rotated_j(u), rotated_k(u)};
+  if (curve.is_polynomial())
+    return Curve(constant * curve.preimage(), curve.multiplier(), product(turn, curve.start()));
+  return Curve::quotient(constant * curve.preimage(), curve.multiplier(),
+                         product(turn, numerator(curve)), curve.weight());
 }
 
 Path segment(const Path& path, const Rational& a, const Rational& b) {

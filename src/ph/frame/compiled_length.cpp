@@ -29,7 +29,7 @@ PieceRate with_positive(RootQuotient rate, const Polynomial& of_sign) {
 }
 
 PieceRate length_rate_of(const Segment& segment) {
-  if (const Curve* curve = ph_curve(segment))
+  if (const Curve* curve = ph_curve(segment); curve != nullptr && curve->is_polynomial())
     return with_positive({curve->multiplier() * sigma(curve->preimage())}, curve->multiplier());
   if (const RationalCurve* curve = rational_curve(segment))
     return with_positive(TaylorIntegral(length_rate(*curve)).integrand(), curve->multiplier());

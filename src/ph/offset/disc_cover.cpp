@@ -1,7 +1,7 @@
-// |center(s) − at|² − radius(s)² is a polynomial of s over ℚ for a rational point. Its sign on
-// [0, 1] is that of its Bernstein coefficients on short parts; where it has a zero without a change
-// of sign, as at the disc that the boundary belongs to, if that is not taken out, its roots and
-// their orders decide.
+// |(x, y) − w·at|² − r² is a polynomial of s over ℚ for a rational point. Its sign on [0, 1] is
+// that of its Bernstein coefficients on short parts; where it has a zero without a change of sign,
+// as at the disc that the boundary belongs to, if that is not taken out, its roots and their orders
+// decide.
 #include "phrame/ph/offset/disc_cover.hpp"
 
 #include <algorithm>
@@ -91,16 +91,44 @@ bool is_beyond(const PlaneBox& a, const PlaneBox& b, double reach) {
   return gap(a[0], b[0]) > reach || gap(a[1], b[1]) > reach;
 }
 
-/// All values of p on [0, 1].
-DoubleInterval range_of(const Polynomial& p) {
+/// All values of a polynomial with these Bernstein coefficients.
+DoubleInterval range_of(const std::vector<RealBall>& bernstein) {
   constexpr long bits = 64;
   DoubleInterval range{std::numeric_limits<double>::infinity(),
                        -std::numeric_limits<double>::infinity()};
-  for (const RealBall& c : to_bernstein(BallPolynomial(p, bits), std::max(p.degree(), 0L), bits)) {
+  for (const RealBall& c : bernstein) {
     range.lower = std::min(range.lower, -upper_double(subtract({}, c, bits)));
     range.upper = std::max(range.upper, upper_double(c));
   }
   return range;
+}
+
+/// All values of p/w on [0, 1], w > 0: between those of the quotients of the coefficients, as they
+/// are means of these. Parts are halved until the coefficients of w are positive.
+DoubleInterval range_of(const std::vector<RealBall>& p, const std::vector<RealBall>& w) {
+  constexpr long bits = 64;
+  std::vector<RealBall> quotients;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    if (sign(w[k]) <= 0) {
+      const auto [p1, p2] = split(p, Rational(1, 2), 2 * bits);
+      const auto [w1, w2] = split(w, Rational(1, 2), 2 * bits);
+      const DoubleInterval a = range_of(p1, w1);
+      const DoubleInterval b = range_of(p2, w2);
+      return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+    }
+    quotients.push_back(divide(p[k], w[k], bits));
+  }
+  return range_of(quotients);
+}
+
+DoubleInterval range_of(const Polynomial& p, const Polynomial& w) {
+  constexpr long bits = 64;
+  const long n = std::max({p.degree(), w.degree(), 0L});
+  const auto bernstein = [n](const Polynomial& q, long more) {
+    return to_bernstein(BallPolynomial(q, more), n, more);
+  };
+  if (w == Polynomial{1}) return range_of(bernstein(p, bits));
+  return range_of(bernstein(p, 4 * bits), bernstein(w, 4 * bits));
 }
 
 /// As many points as are next to each other by a quarter of |d|, within bounds.
@@ -111,36 +139,36 @@ long count_of(const PlaneBox& box, double reach) {
   return static_cast<long>(std::clamp(4 * size / reach, least, most));
 }
 
-}  // namespace
-
-namespace {
-
-std::vector<Vector<Polynomial>> tracks_of(const PhPath& path, const Rational& d) {
-  std::vector<Vector<Polynomial>> tracks;
+std::vector<DiscTrack> tracks_of(const PhPath& path, const Rational& d) {
+  std::vector<DiscTrack> tracks;
   for (const Curve& curve : path.segments()) {
-    const Vector<Polynomial> r = position(curve);
-    tracks.push_back({r[0], r[1], Polynomial{abs(d)}});
+    const Vector<Polynomial> X = numerator(curve);
+    tracks.push_back({X[0], X[1], abs(d) * curve.weight(), curve.weight()});
   }
   return tracks;
 }
 
 }  // namespace
 
+Disc DiscTrack::at(const Rational& t) const {
+  const Rational w = weight(t);
+  return {{x(t) / w, y(t) / w, 0}, radius(t) / w};
+}
+
 DiscCover::DiscCover(const PhPath& path, const Rational& d) : DiscCover(tracks_of(path, d)) {}
 
-DiscCover::DiscCover(const std::vector<Vector<Polynomial>>& tracks) {
+DiscCover::DiscCover(const std::vector<DiscTrack>& tracks) {
   double size = 0;
-  for (const Vector<Polynomial>& disc : tracks) {
-    Part part{disc, {}, {range_of(disc[0]), range_of(disc[1])}};
-    const DoubleInterval radii = range_of(disc[2]);
+  for (const DiscTrack& track : tracks) {
+    Part part{track, {}, {range_of(track.x, track.weight), range_of(track.y, track.weight)}};
+    const DoubleInterval radii = range_of(track.radius, track.weight);
     const double most = std::max(radii.upper, -radii.lower);
     reach_ = std::max(reach_, most * (1 + 1e-12));
     const long count = count_of(part.box, most);
     for (long k = 0; k <= count; ++k) {
-      const Rational t(k, count);
-      const Vector<Rational> at = evaluate(disc, t);
-      part.discs.push_back({static_cast<double>(at[0]), static_cast<double>(at[1]),
-                            static_cast<double>(Rational(at[2] * at[2]))});
+      const auto [center, radius] = track.at(Rational(k, count));
+      part.discs.push_back({static_cast<double>(center[0]), static_cast<double>(center[1]),
+                            static_cast<double>(Rational(radius * radius))});
     }
     size = std::max(size, size_of(part.box));
     parts_.push_back(std::move(part));
@@ -196,13 +224,15 @@ std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size
   const PlaneBox box{around(at[0]), around(at[1])};
   std::optional<Disc> found;
   any_within(box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box), [&](std::size_t k) {
-    const auto& disc = parts_[k].disc;
-    const Polynomial x = disc[0] - Polynomial{at[0]};
-    const Polynomial y = disc[1] - Polynomial{at[1]};
-    Polynomial gap = x * x + y * y - disc[2] * disc[2];
+    const DiscTrack& disc = parts_[k].track;
+    const Polynomial x = disc.x - at[0] * disc.weight;
+    const Polynomial y = disc.y - at[1] * disc.weight;
+    Polynomial gap = x * x + y * y - disc.radius * disc.radius;
     if (k == track) gap = exact_quotient(gap, known);
-    if (const auto t = negative_place(gap))
-      found = {{disc[0](*t), disc[1](*t), at[2]}, disc[2](*t)};
+    if (const auto t = negative_place(gap)) {
+      found = disc.at(*t);
+      found->center[2] = at[2];
+    }
     return found.has_value();
   });
   return found;

@@ -13,17 +13,26 @@ struct Disc {
   Rational radius;          ///< of any sign
 };
 
-/// What is inside of discs whose centers and radii are polynomials on [0, 1]: of what is nearer to
-/// a path than |d| all have the radius |d|.
+/// Discs about (x/w, y/w) of the radius r/w, of any sign, at t from 0 to 1.
+struct DiscTrack {
+  Polynomial x;
+  Polynomial y;
+  Polynomial radius;  ///< r, not 0 of all tracks
+  Polynomial weight;  ///< w > 0
+
+  Disc at(const Rational& t) const;  ///< in the plane z = 0
+};
+
+/// What is inside of discs along tracks: of what is nearer to a path than |d| all have the radius
+/// |d|.
 class DiscCover {
  public:
-  /// Of each track the x and y of the centers, and the radii, of any sign, not all of them 0.
-  explicit DiscCover(const std::vector<Vector<Polynomial>>& tracks);
+  explicit DiscCover(const std::vector<DiscTrack>& tracks);  ///< of these
   /// Of the radius d ≠ 0 about all points of a path in a plane z = const.
   DiscCover(const PhPath& path, const Rational& d);
 
   /// A disc that the point is inside of, if there is any: decided exactly, on circles, too. `known`
-  /// is what |center − at|² − radius² of that track is known to be a multiple of, > 0 inside (0, 1)
+  /// is what |(x, y) − w·at|² − r² of that track is known to be a multiple of, > 0 inside (0, 1)
   /// but for double zeros: (s − t)² where a circle is touched from outside by what at(t) is on.
   std::optional<Disc> disc_around(const Vector<Rational>& at, std::size_t track,
                                   const Polynomial& known) const;
@@ -35,7 +44,7 @@ class DiscCover {
 
  private:
   struct Part {
-    Vector<Polynomial> disc;                   ///< x, y, radius
+    DiscTrack track;                           ///< of which it is
     std::vector<std::array<double, 3>> discs;  ///< some of them: x, y, a little less than radius²
     PlaneBox box;                              ///< of all centers
   };

@@ -99,14 +99,15 @@ std::vector<BoundaryEvent> events_of(const Envelope& envelope) {
 DomainBoundary domain_boundary(MedialAxis axis) {
   DomainBoundary result{envelope(std::move(axis)), {}, {}};
   const Envelope& whole = result.envelope;
-  std::vector<Vector<Polynomial>> tracks;
+  std::vector<DiscTrack> tracks;
   for (std::size_t k = 0; k < whole.axis.size(); ++k) {
     const auto turns = odd(real_roots(whole.axis[k].multiplier, open_interval(0, 1)));
     if (!turns.empty())
       throw DomainError(
           fmt::format("domain_boundary: the axis turns back at a cusp, in segment {} at {}", k + 1,
                       place_text("t", turns.front().at)));
-    tracks.push_back(position(whole.axis[k]));
+    const Vector<Polynomial> disc = position(whole.axis[k]);
+    tracks.push_back({disc[0], disc[1], disc[2], {1}});
   }
   const DiscCover discs(tracks);
   const auto& pieces = whole.pieces;

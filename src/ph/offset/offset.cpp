@@ -1,6 +1,6 @@
-// r_d = r + d·n is (xσ + d·σe₁y, yσ − d·σe₁x)/σ. With n′ = φ′e₁ its derivative is (speed + dφ′)·e₁
-// = (1 + dκ)·r′, for the κ = φ′/speed that is positive where the curve turns left: H is along σe₁,
-// which has no zero, and the zeros of p are those of 1 + dκ.
+// r_d = r + d·n is (xσ + d·σe₁y, yσ − d·σe₁x)/σ, of r = X/W (Xσ + d·σe₁y·W, …)/(σW). With n′ = φ′e₁
+// its derivative is (speed + dφ′)·e₁ = (1 + dκ)·r′, for the κ = φ′/speed that is positive where the
+// curve turns left: H is along σe₁, which has no zero, and the zeros of p are those of 1 + dκ.
 #include "phrame/ph/offset/offset.hpp"
 
 #include <fmt/format.h>
@@ -19,11 +19,11 @@ namespace {
 
 /// With H along e₁.
 RationalCurve offset_along(const Curve& curve, const PlaneTangent& tangent, const Rational& d) {
-  Vector<Polynomial> r = position(curve);
+  Vector<Polynomial> r = numerator(curve);
   for (Polynomial& x : r) x *= tangent.sigma;
-  r[0] += d * tangent.y;
-  r[1] -= d * tangent.x;
-  RationalCurve found(r, tangent.sigma);
+  r[0] += d * tangent.y * curve.weight();
+  r[1] -= d * tangent.x * curve.weight();
+  RationalCurve found(r, tangent.sigma * curve.weight());
   const Vector<Rational> h = evaluate(found.direction(), 0);
   const bool is_along = h[0] * tangent.x(0) + h[1] * tangent.y(0) > 0;
   return is_along ? found : found.turned_over();

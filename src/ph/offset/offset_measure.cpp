@@ -104,11 +104,18 @@ class LengthSum {
 
 OffsetLength length(const Offset& offset) { return LengthSum(offset).make(); }
 
-Rational signed_area(const PhPath& path) {
-  Rational area;
-  for (const Curve& curve : path.segments())
-    area += antiderivative(area_rate(RationalCurve(position(curve))).numerator())(1);
-  return area;
+Real signed_area(const PhPath& path) {
+  Rational exact;
+  std::vector<KnownIntegral> others;
+  for (const Curve& curve : path.segments()) {
+    const RationalFunction rate = area_rate(PhSegment(curve).by_positions());
+    if (rate.is_polynomial())
+      exact += antiderivative(rate.numerator())(1);
+    else
+      others.push_back(known_integral(rate, integrate(rate), Rational(0), Rational(1), 1));
+  }
+  if (others.empty()) return exact;
+  return Real(exact) + sum_of_integrals(others).value;
 }
 
 std::optional<DefiniteIntegral> signed_area(const Offset& offset) {

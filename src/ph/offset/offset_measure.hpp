@@ -23,7 +23,7 @@ struct OffsetLength {
 OffsetLength length(const Offset& offset);
 
 /// ½ ∮ (x dy − y dx) of a closed path, positive where it goes round to the left.
-Rational signed_area(const PhPath& path);
+Real signed_area(const PhPath& path);
 /// ½ ∮ (x dy − y dx) of a closed offset, positive where it goes round to the left; no value for
 /// others. For a smooth path with the signed area A and length L that turns by 2πk it is
 /// A + d·L + d²·πk (Steiner).

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -42,11 +43,17 @@ void require_no_turning_back(const PhPath& path) {
 struct Stroke {
   OffsetBranches branches;                               ///< first those of the offset itself
   std::vector<std::optional<Vector<Rational>>> centers;  ///< of the arcs
-  std::vector<Vector<Polynomial>> bases;  ///< what they are at the distance |d| from, at the same t
+  /// What they are at the distance |d| from, at the same t: X, Y and W.
+  std::vector<Vector<Polynomial>> bases;
 };
 
 Vector<Polynomial> constant(const Vector<Rational>& at) {
-  return {Polynomial{at[0]}, Polynomial{at[1]}, Polynomial{at[2]}};
+  return {Polynomial{at[0]}, Polynomial{at[1]}, Polynomial{1}};
+}
+
+Vector<Polynomial> base_of(const Curve& curve) {
+  const Vector<Polynomial> X = numerator(curve);
+  return {X[0], X[1], curve.weight()};
 }
 
 class StrokeMaker {
@@ -60,9 +67,9 @@ class StrokeMaker {
       add(phrame::offset(path_, -offset_.distance), path_);
       return std::move(stroke_);
     }
-    const PhPath back = *reversed(Path(path_)).ph();
+    const PhPath back = *reversed(Path(path_)).with_preimages();
     const Curve& last = segments.back();
-    add_cap(evaluate(position(last), 1), direction(plane_tangent(last), 1));
+    add_cap(end_point(last), direction(plane_tangent(last), 1));
     add(phrame::offset(back, offset_.distance), back);
     const PlaneDirection start = direction(plane_tangent(segments.front()), 0);
     add_cap(segments.front().start(), {-start.x, -start.y});
@@ -83,7 +90,7 @@ class StrokeMaker {
       const Curve& base = path.segments()[piece.segment];
       const bool is_arc = piece.is_join && !is_line(piece.curve);
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
-      stroke_.bases.push_back(piece.is_join ? constant(base.start()) : position(base));
+      stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
     }
     if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }

@@ -11,7 +11,7 @@ struct PlaneTangent {
   Polynomial x;      ///< of σ·e₁
   Polynomial y;      ///< of σ·e₁
   Polynomial sigma;  ///< σ, without a real root
-  Polynomial speed;  ///< f·|A|², negative where e₁ is −r′/|r′|
+  Polynomial speed;  ///< f·|A|² = W²·(±|r′|), negative where e₁ is −r′/|r′|
   Polynomial turn;   ///< σφ′
 };
 

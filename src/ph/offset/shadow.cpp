@@ -1,6 +1,6 @@
-// With any s(t) in [0, 1], |X/W − base(s(t))|² < d² for all t proves it, a polynomial in t. s(t) is
-// the cubic through the feet of perpendiculars from four points: where s is off by ε, the distance
-// is so by ε².
+// With any s(t) in [0, 1], |X/W − base(s(t))|² < d² for all t proves it, times the squared weights
+// a polynomial in t. s(t) is the cubic through the feet of perpendiculars from four points: where s
+// is off by ε, the distance is so by ε².
 #include "phrame/ph/offset/shadow.hpp"
 
 #include <algorithm>
@@ -21,18 +21,23 @@ constexpr long foot_places = 128;
 std::optional<Rational> foot(const Vector<Polynomial>& base, const Vector<Rational>& at,
                              Rational s) {
   constexpr int steps = 6;
+  const Polynomial& w = base[2];
+  const auto rate_of = [&](const Polynomial& x) {
+    return w.is_constant() ? differentiate(x) : differentiate(x) * w - x * differentiate(w);
+  };
+  const std::array<Polynomial, 2> rates{rate_of(base[0]), rate_of(base[1])};
   for (int k = 0; k < steps; ++k) {
-    // f = (base − at)·base′ and f′.
+    // f = (X − at·W)·(X′W − XW′), W³ times (base − at)·base′, and f′.
     RealBall f;
     RealBall slope;
     const RealBall here(s, foot_bits);
     for (std::size_t j = 0; j < 2; ++j) {
-      const Polynomial rate = differentiate(base[j]);
-      const RealBall gap =
-          subtract(evaluate(base[j], here, foot_bits), RealBall(at[j], foot_bits), foot_bits);
+      const Polynomial& rate = rates[j];
+      const Polynomial way = base[j] - at[j] * w;
+      const RealBall gap = evaluate(way, here, foot_bits);
       const RealBall first = evaluate(rate, here, foot_bits);
       f = add_product(f, gap, first, foot_bits);
-      slope = add_product(slope, first, first, foot_bits);
+      slope = add_product(slope, evaluate(differentiate(way), here, foot_bits), first, foot_bits);
       slope = add_product(slope, gap, evaluate(differentiate(rate), here, foot_bits), foot_bits);
     }
     const RealBall next = subtract(here, divide(f, slope, foot_bits), foot_bits);
@@ -74,22 +79,24 @@ bool is_nearer_along(const RationalCurve& curve, const Rational& lower, const Ra
   const Rational width = upper - lower;
   Rational s = beside;
   std::array<Rational, 4> feet;
-  const bool is_point = base[0].is_constant() && base[1].is_constant();
+  const bool is_point = base[0].is_constant() && base[1].is_constant() && base[2].is_constant();
   for (std::size_t k = 0; k < 4 && !is_point; ++k) {
     const Vector<Rational> at = point(curve, lower + width * Rational(static_cast<long>(k), 3));
     const auto found = foot(base, at, s);
     if (!found) return false;
     feet[k] = s = *found;
-    const Vector<Rational> gap = at - evaluate(base, s);
+    const Vector<Rational> gap = at - Rational(1 / base[2](s)) * evaluate(base, s);
     if (gap[0] * gap[0] + gap[1] * gap[1] >= d * d) return false;
   }
   const Polynomial along = cubic_through(feet);
   if (!is_point && !(is_positive(along) && is_positive(Polynomial{1} - along))) return false;
   const Polynomial t{lower, width};
   const Polynomial weight = compose(curve.weight(), t);
-  Polynomial room = d * d * weight * weight;
+  const Polynomial of_base = compose(base[2], along);
+  Polynomial room = d * d * pow(weight * of_base, 2);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Polynomial gap = compose(curve.numerator()[k], t) - weight * compose(base[k], along);
+    const Polynomial gap =
+        of_base * compose(curve.numerator()[k], t) - weight * compose(base[k], along);
     room -= gap * gap;
   }
   return is_positive(room);

@@ -5,6 +5,7 @@
 // functions of the parameter that are rational but for φ. On an arc r is the corner, and s = 0.
 #include "phrame/ph/offset/trim_measure.hpp"
 
+#include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -70,29 +71,44 @@ PartMeasure measure_line(const RationalCurve& line, const OffsetPart& part) {
           Real(Rational((start[0] * way[1] - start[1] * way[0]) / 2)) * share};
 }
 
+SegmentIntegral zero_integral() { return {PolynomialIntegral{}}; }
+
+/// ½∫ r × r′.
+SegmentIntegral inner_integral(const Curve& curve) {
+  const auto& [x, y, z] = numerator(curve);
+  const Polynomial rate = Rational(1, 2) * (x * differentiate(y) - y * differentiate(x));
+  if (curve.is_polynomial()) return {PolynomialIntegral{antiderivative(rate), rate}};
+  return {TaylorIntegral({rate, pow(curve.weight(), 2)})};
+}
+
 PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetPart& part) {
   const OffsetPiece& piece = offset.pieces[part.piece];
   if (piece.is_join && piece.curve.weight().is_constant()) return measure_line(piece.curve, part);
   const Curve& curve = path.segments()[piece.segment];
   Vector<Polynomial> r{Polynomial{curve.start()[0]}, Polynomial{curve.start()[1]}, {}};
-  Polynomial s;
+  Polynomial w{1};
+  SegmentIntegral s = zero_integral();
+  SegmentIntegral inner = zero_integral();
   if (!piece.is_join) {
-    r = position(curve);
-    s = antiderivative(plane_tangent(curve).speed);
+    r = numerator(curve);
+    w = curve.weight();
+    s = arc_length(PhSegment(curve));
+    inner = inner_integral(curve);
   }
+  const auto grown = [&](const SegmentIntegral& f) {
+    return cached(f.value(part.to) + -f.value(part.from));
+  };
   const auto change = [&](const RationalFunction& f) {
     return cached(value(f, Place(0, part.to)) + -value(f, Place(0, part.from)));
   };
   const Rational half(1, 2);
   const Rational& d = offset.distance;
   const auto& [x, y, z] = piece.curve.numerator();
-  const Real length = change(RationalFunction(s));
+  const Real length = grown(s);
   const Real angle = DirectionAngle(piece.curve).between(part.from, part.to);
-  const Polynomial inner = antiderivative(r[0] * differentiate(r[1]) - r[1] * differentiate(r[0]));
-  const RationalFunction area =
-      RationalFunction(half * inner) +
-      RationalFunction(half * (r[0] * y - r[1] * x), piece.curve.weight());
-  return {length + Real(d) * angle, change(area) + Real(d) * length + Real(half * d * d) * angle};
+  const RationalFunction outer(half * (r[0] * y - r[1] * x), w * piece.curve.weight());
+  return {length + Real(d) * angle,
+          grown(inner) + change(outer) + Real(d) * length + Real(half * d * d) * angle};
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void check(const Classification& c, const Curve& curve) {
   check_shape(c, a);
   if (c.double_ph) check(rho(a) == c.double_ph->constant * pow(c.double_ph->omega, 2), "double PH");
   Polynomial common;
-  for (const Polynomial& component : hodograph(curve))
+  for (const Polynomial& component : hodograph_numerator(curve))
     common = gcd(common, exact_quotient(component, c.content));
   check(common.is_constant(), "content");
   if (const auto* frame = std::get_if<RationalFrame>(&c.rational_frame)) check(*frame, a);

@@ -150,13 +150,14 @@ std::vector<RealBall> torsion_curvature_moments(const Curve& curve, long count, 
 
 Curve with_primitive_preimage(const Curve& curve) {
   const Polynomial content = real_content(curve.preimage());
-  return Curve(without_real_content(curve.preimage()), curve.multiplier() * content * content,
-               curve.start());
+  return curve.with_form(without_real_content(curve.preimage()),
+                         curve.multiplier() * content * content);
 }
 
 std::vector<RealBall> weight_moments(const Curve& curve, FrameWeight weight, long count,
                                      long bits) {
   if (weight == FrameWeight::one) return polynomial_moments({1}, count, bits);
+  if (!curve.is_polynomial()) throw DomainError("frame weight: the curve is rational");
   const Curve primitive = with_primitive_preimage(curve);
   if (weight == FrameWeight::torsion_curvature)
     return torsion_curvature_moments(primitive, count, bits);

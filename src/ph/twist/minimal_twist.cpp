@@ -23,7 +23,7 @@ Integer whole_turns_in(const StartAngle& angle) {
 
 /// T_min of T = −θ_RMF(end) + between, `between` being θ_f − θ_i.
 ReducedAngle least_turn(const PathAngle& rmf, const Real& twist, const StartAngle& between) {
-  if (!between.exact || !rmf.path().is_ph()) return reduced(twist);
+  if (!between.exact || !rmf.path().has_erf()) return reduced(twist);
   return reduced(twist, [&]() -> std::optional<Rational> {
     if (const auto known = over_pi(twist)) return known;
     // −T/π without the multiples of π.
