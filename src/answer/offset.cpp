@@ -235,9 +235,13 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
       answer.trimmed.push_back(
           TrimReport(*path, trimmed_offset(*path, d, query.join), query.digits).make());
   else
-    for (const Rational& d : query.distances)
-      answer.offsets.push_back(
-          OffsetReport(*path, offset(*path, d, query.join), query.digits).make());
+    for (const Rational& d : query.distances) {
+      const Offset found = offset(*path, d, query.join);
+      if (found.pieces.empty())
+        throw DomainError("offset: at the distance " + to_string(d) +
+                          " nothing but points is left");
+      answer.offsets.push_back(OffsetReport(*path, found, query.digits).make());
+    }
   return answer;
 }
 

@@ -29,6 +29,11 @@ RationalCurve offset_along(const Curve& curve, const PlaneTangent& tangent, cons
   return is_along ? found : found.turned_over();
 }
 
+/// Is 1 + dκ = 0 all along, as of an arc at the distance of its center?
+bool is_point(const Curve& curve, const PlaneTangent& tangent, const Rational& d) {
+  return (tangent.speed * tangent.sigma + d * tangent.turn * pow(curve.weight(), 2)).is_zero();
+}
+
 void require_distance(const Rational& d) {
   if (d == 0) throw DomainError("offset: the distance is 0");
 }
@@ -57,16 +62,32 @@ class OffsetMaker {
     const auto& segments = path_.segments();
     for (std::size_t k = 0; k < segments.size(); ++k) {
       if (k > 0) add_joint(k - 1, k);
-      made_.pieces.push_back({offset_along(segments[k], tangents_[k], d_), k});
+      const bool is_a_point = is_point(segments[k], tangents_[k], d_);
+      if (is_a_point) points_.push_back(made_.pieces.size());
+      made_.pieces.push_back({is_a_point ? PhSegment(segments[k]).by_positions()
+                                         : offset_along(segments[k], tangents_[k], d_),
+                              k});
     }
     if (path_.closing_turn())
       add_joint(segments.size() - 1, 0);
     else
       made_.meets.push_back(false);
+    drop_points();
     return std::move(made_);
   }
 
  private:
+  /// Behind such a point the tangent is another one: the offset is cut there.
+  void drop_points() {
+    for (std::size_t j = points_.size(); j-- > 0;) {
+      const auto at = static_cast<std::ptrdiff_t>(points_[j]);
+      made_.pieces.erase(made_.pieces.begin() + at);
+      made_.meets.erase(made_.meets.begin() + at);
+      if (!made_.meets.empty())
+        made_.meets[(points_[j] + made_.meets.size() - 1) % made_.meets.size()] = false;
+    }
+  }
+
   void add_joint(std::size_t before, std::size_t after) {
     const Curve& next = path_.segments()[after];
     const PlaneCorner corner{next.start(), direction(tangents_[before], 1),
@@ -87,6 +108,7 @@ class OffsetMaker {
   const Rational& d_;
   OffsetJoin join_;
   std::vector<PlaneTangent> tangents_;
+  std::vector<std::size_t> points_{};  ///< the pieces that are points, ascending
   Offset made_;
 };
 

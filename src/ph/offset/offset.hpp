@@ -38,7 +38,8 @@ struct Offset {
   std::vector<std::size_t> inner_corners;  ///< the segments at whose start there is one
 };
 
-/// The offset of a path of PH curves in one plane z = const. At corners it is joined as is asked
+/// The offset of a path of PH curves in one plane z = const, without arcs at the distance of their
+/// centers, which become points: there it is cut. At corners it is joined as is asked
 /// for on the outer side; on the inner side the offsets of both sides cross, as they are. Throws
 /// DomainError as above.
 PHRAME_API Offset offset(const PhPath& path, const Rational& d,

@@ -92,7 +92,8 @@ class StrokeMaker {
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
     }
-    if (!path.closing_turn()) stroke_.branches.behind.back() = stroke_.branches.curves.size();
+    if (!path.closing_turn() && !more.curves.empty())
+      stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }
 
   void add_cap(const Vector<Rational>& at, const PlaneDirection& e1) {
