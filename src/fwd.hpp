@@ -102,6 +102,7 @@ struct EnvelopeQuery;
 struct EnvelopeAnswer;
 struct OffsetQuery;
 struct OffsetAnswer;
+struct OffsetCheckAnswer;
 struct PageQuery;
 struct PageAnswer;
 struct TotalsQuery;

@@ -25,6 +25,7 @@
 #include "phrame/answer/machine_path.hpp"
 #include "phrame/answer/minimal_twist.hpp"
 #include "phrame/answer/offset.hpp"
+#include "phrame/answer/offset_check.hpp"
 #include "phrame/answer/path_twist.hpp"
 #include "phrame/answer/sweep.hpp"
 #include "phrame/answer/totals.hpp"

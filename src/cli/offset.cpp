@@ -1,6 +1,7 @@
-#include "phrame/answer/offset.hpp"
+#include "phrame/answer/offset_check.hpp"
 
 #include "phrame/cli/command.hpp"
+#include "phrame/cli/exchange.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nurbs.hpp"
@@ -19,6 +20,8 @@ struct OffsetOptions {
   TextLength length;
   std::string output;
   long digits = 17;
+  std::vector<std::string> given;
+  std::string tolerance = "1e-6";
 };
 
 std::string write_offset_nurbs(const OffsetAnswer& answer) { return write_nurbs(nurbs(answer)); }
@@ -38,7 +41,51 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
+/// A list of points or lines is a polyline; all else is a curve, or several, a line each.
+void add_foreign(ForeignOffset& given, const std::string& file, const OffsetOptions& options) {
+  const FileReading& reading = options.curve.reading;
+  const auto* node = Exchange::content<JsonNode>(file);
+  if (node != nullptr) {
+    given.paths.push_back(read_any_path(*node).path);
+    return;
+  }
+  const std::string text = read_file(file);
+  try {
+    given.polylines.push_back(read_waypoints(text, reading).points);
+    return;
+  } catch (const Error&) {  // what it is not is told by whoever reads curves
+  }
+  at_place(name_of_file(file), ":", [&] {
+    std::size_t first = 0;
+    for (std::size_t end = text.find("\n{"); end != std::string::npos;
+         end = text.find("\n{", first)) {
+      given.paths.push_back(read_any_path(std::string_view(text).substr(first, end - first)).path);
+      first = end + 1;
+    }
+    given.paths.push_back(read_any_path(std::string_view(text).substr(first), {}, reading).path);
+    return 0;
+  });
+}
+
+void run_check(const OffsetOptions& options) {
+  const auto print = choose<std::string (*)(const OffsetCheckAnswer&)>(
+      "--print", options.print, {{"text", to_text}, {"json", to_json}});
+  const OffsetQuery asked = query(options);
+  if (asked.distances.size() != 1)
+    throw InputError("--check", "one distance is wanted, not a list of them");
+  OffsetCheckQuery check{asked.distances.front(),
+                         asked.join,
+                         asked.trim,
+                         {},
+                         parse_positive_option("--tol", options.tolerance)};
+  for (const std::string& file : split(options.given)) add_foreign(check.given, file, options);
+  const OffsetCheckAnswer found = answer(options.curve.read_path(), check);
+  options.length.write(options.output.empty() ? "-" : options.output, print(found));
+  if (!found.passes) throw AnswerNo{};
+}
+
 void run(const OffsetOptions& options) {
+  if (!options.given.empty()) return run_check(options);
   const auto print = choose<std::string (*)(const OffsetAnswer&)>("--print", options.print,
                                                                   {{"text", to_text},
                                                                    {"json", to_json},
@@ -77,6 +124,12 @@ void add_offset(Program& program) {
       "--pocket", options->pocket,
       "of a closed path, trimmed, the offsets at the one distance, inwards, and at its\n"
       "multiples until nothing is left, one room after the other");
+  command.add_list(
+      "--check", "FILE,...", options->given,
+      "how far that is from the exact offset, to both sides, proved: tables of points\n"
+      "and polylines of a file, or curves");
+  command.add_option("--tol", "BOUND", options->tolerance,
+                     "the distance that is allowed (default 1e-6)");
   add_digits(command, options->digits);
   command.add_option(
       "-o,--output", "FILE", options->output,
@@ -89,6 +142,8 @@ void add_offset(Program& program) {
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"
       "nurbs, each path as one NURBS");
   options->length.add_to(command);
+  command.only_with({"--tol"}, {"--check"});
+  command.not_with({"--pocket", "--digits"}, {"--check"});
   command.set_notes(
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
@@ -96,10 +151,12 @@ void add_offset(Program& program) {
       "be undecided. With --trim what is nearer to the path than |d| is cut away, and the report\n"
       "has the branches that are left, in place of cusps and meetings.\n"
       "Behind a cusp at which the path turns back it is on the other side of travel.\n"
+      "With --check the exit status is 1 where what is given is not proved to be within --tol.\n"
       "Examples:\n"
       "  phrame offset curve.json --distance 1/2\n"
       "  phrame offset spline.json --distance 1/2,-1/3 --join mitre --print json\n"
       "  phrame offset spline.json --distance -1/2 --trim\n"
+      "  phrame offset outline.json --distance -1/2 --trim --check theirs.csv --tol 1e-3\n"
       "  phrame offset outline.json --distance -1/8 --pocket -o pocket.dxf\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
   command.does(options, run);

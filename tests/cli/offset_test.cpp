@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "phrame/io/read/any_path.hpp"
@@ -210,6 +212,76 @@ TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {
   check_success(here.run("offset triangle.json --distance -1/2,-1/3 --trim -o in.svg"));
   CHECK(contains(bytes_of(here.file("in.svg")), "<title>a&lt;b</title>"));
   CHECK(contains(here.run("info in.svg --pick offset-2").out, "closed"));
+}
+
+TEST_CASE("offset --check: what somebody else has is judged from both sides, with proof") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  // r = (t - t³/3, t²) with n = (2t, t² - 1)/(1 + t²): points of the offset, off by e, in doubles.
+  const auto write = [&](const std::string& file, double d, double from, double to) {
+    std::string table = "x,y\n";
+    for (int k = 0; k <= 400; ++k) {
+      const double t = k / 400.0;
+      if (t > from && t < to) continue;
+      const double s = 1 + t * t;
+      table +=
+          fmt::format("{},{}\n", t - t * t * t / 3 + d * 2 * t / s, t * t + d * (t * t - 1) / s);
+    }
+    here.write(file, table);
+  };
+  const auto check = [&](const std::string& options) {
+    const Run run = here.run("offset turn.json --print json --check " + options);
+    CHECK(run.status == (contains(run.out, "\"passes\": true") ? 0 : 1));
+    return Json::parse(run.out);
+  };
+  const auto number = [](const Json& json) { return std::stod(json.get<std::string>()); };
+  // Chords are at most 2·10⁻⁶ from an arc.
+  write("off.csv", 0.5 + 1e-4, 2, 2);
+  const Json off = check("off.csv --distance 1/2 --tol 1e-3");
+  CHECK(off["passes"] == true);
+  for (const char* side : {"missing", "excess"}) {
+    CHECK(number(off[side]["at_least"]) <= 1.001e-4);
+    CHECK(number(off[side]["at_most"]) >= 0.98e-4);
+    CHECK(number(off[side]["at_most"]) < 1.1e-4);
+    CHECK(off[side]["count"] == 0);
+  }
+  CHECK(check("off.csv --distance 1/2 --tol 9e-5")["decided"] == true);
+  // The part from 0.3 to 0.6 has a chord in its place.
+  write("gap.csv", 0.5, 0.3, 0.6);
+  const Json gap = check("gap.csv --distance 1/2 --tol 1e-5");
+  CHECK(gap["passes"] == false);
+  for (const char* side : {"missing", "excess"}) REQUIRE(gap[side]["stretches"].size() == 1);
+  const Json missing = gap["missing"]["stretches"][0];
+  CHECK(missing["proved"] == true);
+  CHECK(std::abs(number(missing["from"]["t"]) - 0.3) < 0.01);
+  CHECK(std::abs(number(missing["to"]["t"]) - 0.6) < 0.01);
+  CHECK(gap["excess"]["stretches"][0]["farthest"]["t"].get<std::string>().starts_with("120."));
+  // To the left there is a cusp at √(√2 - 1), and no trimmed offset before it.
+  write("left.csv", -1, 2, 2);
+  CHECK(check("left.csv --distance -1 --tol 1e-5")["passes"] == true);
+  const Json left = check("left.csv --distance -1 --trim --tol 1e-5");
+  CHECK(left["passes"] == false);
+  CHECK(left["missing"]["count"] == 0);
+  CHECK(number(left["excess"]["stretches"][0]["from"]["t"]) == 0);
+  // What it writes itself, by cubics, and by curves a line each.
+  check_success(here.run("offset turn.json --distance -1 -o own.svg"));
+  CHECK(check("own.svg --distance -1")["passes"] == true);
+  CHECK(check("own.svg --distance -1 --tol 1e-7")["passes"] == false);
+  check_success(here.run("offset turn.json --distance -1 -o own.jsonl"));
+  CHECK(check("own.jsonl --distance -1 --tol 1e-9")["passes"] == true);
+  // A polygon around a triangle, whose last side is not said.
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  here.write("inside.csv", "x,y\n1.5,0.5\n3.5,0.5\n3.5,2\n");
+  const Run inside = here.run("offset triangle.json --distance -1/2 --trim --check inside.csv");
+  check_success(inside);
+  CHECK(contains(inside.out, "closed, as the offset is: 1"));
+  check_failure(here.run("offset triangle.json --distance -3 --trim --check inside.csv"), 3,
+                "phrame: offset: nothing is left of the trimmed offset to check against\n");
+  check_failure(here.run("offset turn.json --distance 1,2 --check off.csv"), 2,
+                "phrame: --check: one distance is wanted");
+  check_failure(here.run("offset turn.json --distance 1 --check none.csv"), 2, "phrame: none.csv");
 }
 
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {

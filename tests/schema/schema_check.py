@@ -152,6 +152,7 @@ def check_command_line(folder):
         ask("envelope", axis, "--print", "json")
         ask("envelope", axis, "--trim", "--print", "json")
     ask("envelope", here / "0.axis", "--trim", "--print", "curve")
+    ask("offset", here / "corner.offset", "--distance", "1/2", "--check", here / "turn.offset", "--print", "json")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"
     ask("sweep", rational, "--profile", "rectangle:1/9,1/7", "--exact", "--format", "json")

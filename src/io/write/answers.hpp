@@ -65,6 +65,10 @@ PHRAME_API std::string to_latex(const EnvelopeAnswer& answer);
 /// All paths, as those of offsets.
 PHRAME_API std::string write_envelope(const EnvelopeAnswer& answer);
 /// @}
+/// @{ offset-check/1.
+PHRAME_API std::string to_text(const OffsetCheckAnswer& answer);
+PHRAME_API std::string to_json(const OffsetCheckAnswer& answer);
+/// @}
 /// @{ mtf/1.
 PHRAME_API std::string to_text(const MinimalTwistAnswer& answer);
 PHRAME_API std::string to_json(const MinimalTwistAnswer& answer);

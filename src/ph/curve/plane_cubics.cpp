@@ -35,7 +35,7 @@ class CubicFit {
       cubic[3][k] = rounded(end);
     }
     if (is_near(cubic, x, w)) {
-      made_.push_back(cubic);
+      made_.push_back({cubic, from, to});
       return;
     }
     const Rational middle = (from + to) / 2;
@@ -43,7 +43,7 @@ class CubicFit {
     add(curve, middle, to);
   }
 
-  std::vector<PlaneCubic> made() && { return std::move(made_); }
+  std::vector<CubicPart> made() && { return std::move(made_); }
 
  private:
   Rational rounded(const Rational& x) const {
@@ -69,19 +69,26 @@ class CubicFit {
 
   Rational tolerance_;
   Rational unit_;  ///< of the control points
-  std::vector<PlaneCubic> made_;
+  std::vector<CubicPart> made_;
 };
 
 }  // namespace
 
-std::vector<PlaneCubic> plane_cubics(const Path& path, const Rational& tolerance) {
+std::vector<CubicPart> plane_cubics(const RationalCurve& curve, const Rational& from,
+                                    const Rational& to, const Rational& tolerance) {
   CubicFit fit(tolerance);
+  fit.add(curve, from, to);
+  return std::move(fit).made();
+}
+
+std::vector<PlaneCubic> plane_cubics(const Path& path, const Rational& tolerance) {
+  std::vector<PlaneCubic> made;
   for (const Segment& segment : path.segments()) {
     const RationalCurve* curve = rational_curve(segment);
     if (curve == nullptr) throw DomainError("plane_cubics: a segment is given by formulas");
-    fit.add(*curve, 0, 1);
+    for (const CubicPart& part : plane_cubics(*curve, 0, 1, tolerance)) made.push_back(part.cubic);
   }
-  return std::move(fit).made();
+  return made;
 }
 
 }  // namespace phrame

@@ -15,4 +15,14 @@ using PlaneCubic = std::array<std::array<Rational, 2>, 4>;
 /// DomainError for a segment by formulas.
 std::vector<PlaneCubic> plane_cubics(const Path& path, const Rational& tolerance);
 
+/// One of them, and the part of the curve that it is for.
+struct CubicPart {
+  PlaneCubic cubic;
+  Rational from;  ///< its parameter
+  Rational to;    ///< likewise, greater
+};
+/// The same for a part of a curve. Precondition: 0 ≤ from < to ≤ 1.
+std::vector<CubicPart> plane_cubics(const RationalCurve& curve, const Rational& from,
+                                    const Rational& to, const Rational& tolerance);
+
 }  // namespace phrame
