@@ -1,7 +1,8 @@
-"""Run by wheel.sh where there is Python with the wheel and NumPy beside this file, and nothing else."""
+"""Run where there is Python with the wheel and NumPy, installed or beside this file, and nothing else."""
 
 import os
 import sys
+import tempfile
 from fractions import Fraction
 
 here = os.path.dirname(os.path.abspath(__file__))
@@ -31,16 +32,19 @@ else:
 assert len(phrame.reference()) > 300 and phrame.reference("plane")[0].path.name == "plane-01"
 quickstart.main()
 
-curve.page(os.path.join(here, "curve.html"))  # which needs npm when the wheel is made, and nothing here
-with open(os.path.join(here, "curve.html"), encoding="utf-8") as file:
-    html = file.read()
+with tempfile.TemporaryDirectory() as folder:
+    page = os.path.join(folder, "curve.html")
+    curve.page(page)  # which needs npm when the wheel is made, and nothing here
+    with open(page, encoding="utf-8") as file:
+        html = file.read()
 assert html.startswith("<!doctype html>") and "katex" in html and len(html) > 500_000, html[:200]
 
 # In an empty root no /proc is mounted, and there is nothing else to be loaded.
 if os.path.exists("/proc/self/maps"):
     with open("/proc/self/maps") as maps:
         loaded = {line.split()[-1] for line in maps if ".so" in line}
+    installed = os.path.dirname(os.path.dirname(os.path.realpath(phrame.__file__)))
     for name in ("libflint", "libmpfr", "libgmp", "libnlopt", "libfmt"):
-        strangers = [path for path in loaded if name in os.path.basename(path) and not path.startswith(here)]
+        strangers = [path for path in loaded if name in os.path.basename(path) and not path.startswith(installed)]
         assert not strangers, strangers
 print("phrame", phrame.__version__, "works in CPython", sys.version.split()[0], "with NumPy", np.__version__)
