@@ -42,6 +42,16 @@ def test_the_report_by_ask():
     assert offset["self_intersections"] == {"complete": True, "count": 0, "places": [], "undecided": []}
 
 
+def test_an_envelope_by_ask():
+    axis = {"phrame": "mph/1", "control_points": [[0, 0, 1], ["3/2", 0, 1], [3, 1, 2]]}
+    answer = phrame.ask("envelope", axis, trim=True)
+    assert answer["segments"][0]["sigma"] == ["3"]  # (3, 2t, 2t)
+    (boundary,) = answer["branches"]
+    assert boundary["closed"] and len(boundary["parts"]) == 7
+    with pytest.raises(phrame.InputError, match="no Minkowski PH curve"):
+        phrame.ask("envelope", {"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})
+
+
 def test_what_has_no_offset():
     with pytest.raises(ValueError, match="0 is no distance"):
         CUBIC.offset(0)

@@ -60,6 +60,7 @@ void add_envelope(Program& program) {
                    "cut away what is inside of a disc, by exact tests: the boundary of the union\n"
                    "of the discs, of which AXIS is the medial axis");
   add_digits(command, options->digits);
+  command.only_with({"--digits"}, {"--trim"});
   command.add_option("-o,--output", "FILE", options->output,
                      "write the envelope to this file, beside the report: a curve file, several\n"
                      "paths a line each; as .dxf a spline for each; as .svg by cubics within\n"

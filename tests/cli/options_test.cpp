@@ -69,6 +69,7 @@ const std::vector<std::string> calls{
     "offset corner.json --distance 1/2",
     "envelope axis.json",
     "offset corner.json --distance 1/2 --check corner.json --tol 1",
+    "envelope axis.json --trim",
     "transform spline.json",
     "compile plane.json",
     "compile spline.json",

@@ -120,8 +120,8 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   check_failure(
       here.run(""), 2,
       "a command is needed: there are angle, info, classify, totals, frames, mtf, "
-      "interpolate, construct, identify, integrate, sweep, offset, transform, batch, compile, "
-      "check, certify, verify, prove, page, reference, help "
+      "interpolate, construct, identify, integrate, sweep, offset, envelope, transform, batch, "
+      "compile, check, certify, verify, prove, page, reference, help "
       "(phrame --help)");
   check_failure(here.run("angel quintic.json"), 2, "\"angel\" is not a command");
   check_failure(here.run("''"), 2, "\"\" is not a command");

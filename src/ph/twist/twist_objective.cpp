@@ -68,6 +68,7 @@ TwistObjective::TwistObjective(const TwistPiece& piece, const RotationFamily& fa
   rate_numerator_ = bernstein_terms(piece.erf_rate.numerator(), scale);
   rate_denominator_ = bernstein_terms(piece.erf_rate.denominator(), scale);
   speed_ = bernstein_terms(piece.speed, 1);
+  // NOLINTNEXTLINE(*-prefer-member-initializer): it needs what is above
   are_doubles_stable_ = are_positive(rate_denominator_) && are_positive(speed_);
   for (const Rotation& w : family.basis) {
     std::vector<Complex> c;
