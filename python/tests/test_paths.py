@@ -52,7 +52,7 @@ def test_there_is_one_class():
 @pytest.mark.parametrize("name", OF_ONE + OF_PH)
 def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
     for path, segment in ((CUBIC, 0), (CONIC, 0), (HELIX, 0), (MIXED, 1)):
-        with pytest.raises(phrame.DomainError, match=rf"^{name}: segments\[{segment}\] is no Pythagorean-hodograph curve$"):
+        with pytest.raises(phrame.DomainError, match=rf"^{name}: segments\[{segment}\] is no (polynomial )?Pythagorean-hodograph curve$"):
             asked(path, name)
     asked(QUINTIC, name)
     if name in OF_PH:
@@ -258,3 +258,12 @@ def test_what_a_path_does_not_have_is_no_attribute_of_it():
     assert getattr(CUBIC, "sigma", None) is None
     with pytest.raises(phrame.DomainError, match="no Pythagorean-hodograph curve"):
         CUBIC.preimage
+
+
+def test_a_rational_multiplier():
+    f = phrame.RationalFunction([1], [64, 192, 240, 160, 60, 12, 1])
+    path = phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=f)
+    assert path.kind == "rational" and not path.is_ph and pickle.loads(pickle.dumps(path)) == path
+    assert path.point(0) == (0, 0, 0) and path.total_length() == phrame.Rational(29, 4320)
+    with pytest.raises(phrame.DomainError, match="x has a logarithm: its residues at the roots of t \\+ 2 are not 0"):
+        phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=phrame.RationalFunction([1], [16, 32, 24, 8, 1]))

@@ -10,6 +10,7 @@
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/rational_ph.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/frame/erf_turning.hpp"
 
@@ -128,6 +129,8 @@ InfoAnswer answer(NamedPath named, const InfoQuery& query) {
   } else {
     add_holonomy(answer, angle, query.digits);
   }
+  if (ph != nullptr && !ph->is_polynomial() && complex_form(*ph))
+    answer.tangents = line_coordinates(tangent_lines(*ph));
   if (is_single) {
     answer.cusps = cusps(path.segments().front());
     add_bends(answer, query.digits);

@@ -52,6 +52,8 @@ struct InfoAnswer {
   };
   /// All such places of a single rational curve in a plane; no value for others.
   std::optional<std::vector<Bend>> bends = {};
+  /// K, L, M of the tangents, of a rational PH curve by itself in a plane z = const.
+  std::optional<Vector<Polynomial>> tangents = {};
   // Of a PH curve by itself:
   std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back
   std::vector<Decimal> erf_extrema = {};      ///< in (0, 1), of its rate about e₁

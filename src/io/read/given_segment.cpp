@@ -16,7 +16,7 @@ namespace {
 /// A PH curve where it is one; what the segment is is taken from it.
 Segment taken_curve(GivenSegment& segment) {
   if (auto* curve = std::get_if<RationalCurve>(&segment.form))
-    if (!may_be_pythagorean(curve->direction())) return std::move(*curve);
+    if (!is_pythagorean(curve->direction())) return std::move(*curve);
   auto ph = identify_segment(segment);
   if (auto* curve = std::get_if<Curve>(&ph)) return PhSegment(std::move(*curve));
   if (auto* curve = std::get_if<RationalCurve>(&segment.form)) return std::move(*curve);

@@ -8,7 +8,6 @@
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/curve/rational_ph.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -203,7 +202,7 @@ Fields polynomial_fields(const InfoAnswer& info, const RationalCurve& curve) {
 }
 
 /// What a rational PH curve has beside.
-void add_preimage_fields(Fields& fields, const Curve& curve) {
+void add_preimage_fields(Fields& fields, const InfoAnswer& info, const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   fields.push_back(preimage_field(a));
   fields.push_back({"ph_multiplier", "$f$ of $W²r′$", curve.multiplier()});
@@ -211,8 +210,8 @@ void add_preimage_fields(Fields& fields, const Curve& curve) {
   fields.push_back({"h", "$h$", Factored{twist_numerator(a)}});
   fields.push_back({"g", "$g$", bend_numerator(a)});
   fields.push_back({"rho", "$ρ = 4|g|²$", Factored{rho(a)}});
-  if (!complex_form(curve)) return;
-  const Vector<Polynomial> lines = line_coordinates(tangent_lines(curve));
+  if (!info.tangents) return;
+  const Vector<Polynomial>& lines = *info.tangents;
   fields.push_back(object_field(
       "tangents",
       {{"K", "tangent $K$", lines[0]}, {"L", "  $L$", lines[1]}, {"M", "  $M$", lines[2]}}));
@@ -332,7 +331,7 @@ Fields fields(const InfoAnswer& info) {
   } else {
     const RationalCurve* curve = is_single ? rational_curve(path.segments().front()) : nullptr;
     if (curve != nullptr) add(polynomial_fields(info, *curve));
-    if (any_ph != nullptr) add_preimage_fields(fields, *any_ph);
+    if (any_ph != nullptr) add_preimage_fields(fields, info, *any_ph);
     add(path_fields(info, length));
   }
   fields.push_back({"bending_energy",

@@ -9,8 +9,6 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/radical_text.hpp"
-#include "phrame/ph/curve/identify.hpp"
-#include "phrame/ph/curve/rational_ph.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -239,7 +237,7 @@ JsonOutput json_of(const NamedCurve& named) {
   json["start"] = json_of(named.curve.start());
   json["preimage"] = {{"u", list(a.u)}, {"v", list(a.v)}, {"p", list(a.p)}, {"q", list(a.q)}};
   if (!named.curve.is_polynomial()) {
-    const RationalFunction f = rational_multiplier(named.curve);
+    const RationalFunction f(named.curve.multiplier(), pow(named.curve.weight(), 2));
     json["multiplier"] = {{"numerator", list(f.numerator())},
                           {"denominator", list(f.denominator())}};
   } else if (!(named.curve.multiplier() == Polynomial{1})) {
@@ -287,18 +285,15 @@ JsonOutput json_of(const ExpressionCurve& curve) {
           {"to", full_text(curve.to(), s)}};
 }
 
-/// Is it rational, with the preimage that is found from its points? That is the one of the least
-/// degree, unique up to a constant.
-bool is_known_by_points(const Curve& curve, const RationalCurve& by_points) {
-  if (curve.is_polynomial()) return false;
-  const auto found = identify(by_points);
-  return preimage_degree(std::get<Curve>(found)) == preimage_degree(curve);
+/// Is it rational, with a preimage of the least degree, as its points tell it up to a constant?
+bool is_known_by_points(const Curve& curve) {
+  const auto [alpha, beta] = hopf_form(curve.preimage());
+  return !curve.is_polynomial() && degree(gcd(alpha, beta)) == 0;
 }
 
 JsonOutput segment_json(const Segment& segment) {
   const Curve* ph = ph_curve(segment);
-  if (ph != nullptr && !is_known_by_points(*ph, *rational_curve(segment)))
-    return json_of(NamedCurve{"", *ph});
+  if (ph != nullptr && !is_known_by_points(*ph)) return json_of(NamedCurve{"", *ph});
   return visit_curve([](const auto& curve) { return json_of(curve); }, segment);
 }
 

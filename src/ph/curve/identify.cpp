@@ -99,9 +99,8 @@ std::string to_string(const NotPythagorean& reason) {
                      abbreviated(to_string(reason.odd_factor), 120));
 }
 
-bool may_be_pythagorean(const Vector<Polynomial>& direction) {
-  const Polynomial n = dot(direction, direction);
-  return n.is_constant() || !is_squarefree(n);
+bool is_pythagorean(const Vector<Polynomial>& direction) {
+  return square_root(dot(direction, direction)).has_value();
 }
 
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,

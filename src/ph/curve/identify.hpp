@@ -16,9 +16,9 @@ struct NotPythagorean {
   friend bool operator==(const NotPythagorean&, const NotPythagorean&) = default;
 };
 
-/// May a curve whose tangent has this direction H ≠ 0 be one? It is none where |H|² has degree 1 at
-/// least and no multiple root, which a curve at random is seen by.
-PHRAME_API bool may_be_pythagorean(const Vector<Polynomial>& direction);
+/// Is a curve whose tangent has this direction H ≠ 0 one? It is where |H|² is a square in ℚ[t],
+/// which a curve at random is soon seen not to be.
+PHRAME_API bool is_pythagorean(const Vector<Polynomial>& direction);
 
 /// One line: why not.
 PHRAME_API std::string to_string(const NotPythagorean& reason);

@@ -118,8 +118,7 @@ int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.mul
 }  // namespace
 
 Segment segment_of(const RationalCurve& curve) {
-  if (!curve.weight().is_constant()) return curve;
-  auto found = identify(hodograph(curve), point(curve, 0));
+  auto found = identify(curve);
   if (auto* ph = std::get_if<Curve>(&found)) return PhSegment(std::move(*ph));
   return curve;
 }

@@ -48,8 +48,7 @@ PHRAME_API Offset offset(const PhPath& path, const Rational& d,
 /// The offset, in as few paths as possible: it is cut where pieces are not joined, and where it
 /// turns back at a joint. Straight pieces are PH curves.
 PHRAME_API std::vector<Path> paths(const Offset& offset);
-/// A curve of an offset as a segment: a straight line of constant weight is the PH curve that it
-/// is.
+/// A curve of an offset as a segment, the PH curve that it is.
 PHRAME_API Segment segment_of(const RationalCurve& curve);
 
 /// A place where 1 + dκ = 0.

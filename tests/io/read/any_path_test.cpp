@@ -94,8 +94,11 @@ TEST_CASE("what asks for PH curves takes weights and positions for what they are
   };
   const std::string line = R"("control_points": [[0, 0, 0], [1, 0, 0], [2, 0, 0]])";
   CHECK(refused(object("curve/1", line)).empty());
-  CHECK(refused(object("curve/1", line + R"(, "weights": [1, 2, 2])")) ==
-        "/: this is no PH curve: its weight function is no constant");
+  CHECK(refused(object("curve/1", line + R"(, "weights": [1, 2, 2])")).empty());
+  const std::string bent = R"("control_points": [[0, 0, 0], [1, 0, 0], [2, 0, 5]])";
+  CHECK(refused(object("curve/1", bent + R"(, "weights": [1, 2, 2])")) ==
+        "/: this is no PH curve: its weight function W is no constant, and |W^2 r'| is no "
+        "polynomial over Q");
   CHECK(read_path(object("curve/1", line + R"(, "weights": [3, 3, 3])")).path ==
         read_path(object("curve/1", line)).path);
   CHECK(read_path(object("curve/1", R"("basis": "power", "position": {"x": [0, 2], "y": [0]})"))

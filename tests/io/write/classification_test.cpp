@@ -131,7 +131,7 @@ TEST_CASE("classify report: the LaTeX of a helix") {
 )");
 }
 
-// A line, a quarter of a circle in its plane, and a curve that leaves it.
+// A line, a quarter of an ellipse in its plane, and a curve that leaves it.
 TEST_CASE("classify report: of a path of several kinds, what all are, and the PH segments") {
   const auto report_of = [](const std::string& segments) {
     return answer(
@@ -139,7 +139,7 @@ TEST_CASE("classify report: of a path of several kinds, what all are, and the PH
         ClassificationQuery{});
   };
   const std::string flat = R"json({"control_points": [[0, 0, 0], [1, 0, 0]]},
-      {"control_points": [[1, 0, 0], [2, 0, 0], [2, 1, 0]], "weights": [1, 1, 2]})json";
+      {"control_points": [[1, 0, 0], [2, 0, 0], [2, 2, 0]], "weights": [1, 1, 2]})json";
   const Json plane = Json::parse(to_json(report_of(flat)));
   CHECK(plane["planar"]["answer"] == true);
   CHECK(plane["line"]["answer"] == false);
@@ -148,7 +148,7 @@ TEST_CASE("classify report: of a path of several kinds, what all are, and the PH
   CHECK(plane["segments"][0]["line"]["answer"] == true);
   CHECK(plane["segments"][1] == Json{{"ph", false}});
   const ClassificationAnswer out = report_of(flat + R"json(,
-      {"expressions": {"x": "2 + s^3", "y": "1 + sin(s)", "z": "s^2"}, "from": 0, "to": 1})json");
+      {"expressions": {"x": "2 + s^3", "y": "2 + sin(s)", "z": "s^2"}, "from": 0, "to": 1})json");
   CHECK(Json::parse(to_json(out))["planar"]["answer"] == false);
   CHECK(contains(to_text(out), "Segment 2: rational curve of degree 2, not Pythagorean-hodograph"));
   CHECK(contains(to_text(out), "Segment 3: curve by formulas, not Pythagorean-hodograph"));
