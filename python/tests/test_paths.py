@@ -264,6 +264,6 @@ def test_a_rational_multiplier():
     f = phrame.RationalFunction([1], [64, 192, 240, 160, 60, 12, 1])
     path = phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=f)
     assert path.kind == "rational" and not path.is_ph and pickle.loads(pickle.dumps(path)) == path
-    assert path.point(0) == (0, 0, 0) and path.total_length() == phrame.Rational(29, 4320)
+    assert path.point(0) == (0, 0, 0) and path.length == Fraction(29, 4320)
     with pytest.raises(phrame.DomainError, match="x has a logarithm: its residues at the roots of t \\+ 2 are not 0"):
         phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=phrame.RationalFunction([1], [16, 32, 24, 8, 1]))
