@@ -147,14 +147,17 @@ std::optional<NearReading> read_curve_near(const Node& node, const Rational& eps
                     [&] { return near_curve(bezier.hodograph, bezier.start, epsilon); });
 }
 
+[[noreturn]] void refuse_rational(const Node& node) {
+  node.fail("the curve is rational; only polynomial ones are identified as PH curves");
+}
+
 /// Of a curve whose weight function is constant.
 NamedHodograph rational_hodograph(const Node& node, const CurveLimits& limits) {
   const GivenSegment segment = read_curve_segment(node, limits);
   if (std::holds_alternative<ExpressionCurve>(segment.form))
     node.fail("the curve is given by formulas; only polynomial ones are identified as PH curves");
   const auto& curve = std::get<RationalCurve>(segment.form);
-  if (!curve.weight().is_constant())
-    node.fail("the curve is rational; only polynomial ones are identified as PH curves");
+  if (!curve.weight().is_constant()) refuse_rational(node);
   Vector<Polynomial> hodograph = curve.direction();
   for (Polynomial& h : hodograph) h *= curve.multiplier();
   return {read_name(node), std::move(hodograph), point(curve, 0)};
@@ -227,6 +230,7 @@ NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) 
   if (is_given_as_rational(node)) return rational_hodograph(node, limits);
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
   const NamedCurve named = read_preimage_curve(node, limits);
+  if (!named.curve.is_polynomial()) refuse_rational(node);
   return {named.name, hodograph(named.curve), named.curve.start()};
 }
 
