@@ -15,7 +15,8 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
-#include "phrame/ph/offset/offset.hpp"
+#include "phrame/ph/offset/offset_trim.hpp"
+#include "phrame/ph/offset/trim_measure.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "support/random.hpp"
 #include "support/refusal.hpp"
@@ -195,6 +196,23 @@ TEST_CASE("tangents: points are on them, and offsets have the support p + d [PLA
     CHECK(shifted.weight() == other.weight());
     CHECK(degree(shifted) <= s.degree() + 2 * std::max(f.degree(), g.degree()) + d.degree());
   });
+}
+
+// Lengths and areas do not depend on the parameter.
+TEST_CASE("rational PH: a trimmed offset is that of the same curve as a polynomial one") {
+  const Curve loop(
+      {from_bernstein({-4, 6, -6}), {}, {}, from_bernstein({1, Rational(15, 14), -6})});
+  const PhPath polynomial(loop);
+  const PhPath rational(ph_of(reparametrized(loop, Rational(2, 3))));
+  for (const Rational& d : {Rational(33, 25), Rational(-1, 4)}) {
+    const TrimmedOffset one = trimmed_offset(polynomial, d);
+    const TrimmedOffset other = trimmed_offset(rational, d);
+    REQUIRE(one.branches.size() == other.branches.size());
+    CHECK(other.undecided.empty());
+    for (std::size_t k = 0; k < one.branches.size(); ++k)
+      CHECK(agree(measure(polynomial, one, one.branches[k]).length,
+                  measure(rational, other, other.branches[k]).length));
+  }
 }
 
 TEST_CASE("tangents: what is no curve is refused") {
