@@ -191,11 +191,8 @@ class Trimmer {
     for (std::size_t k = 0; k < own_; ++k)
       for (const RealAlgebraic& t : series_->turning[k].reversals)
         add_event(k, to_real(t), classes_.add());
-    std::map<std::size_t, std::size_t> numbered;
-    for (const auto& [piece, t, number] : stroke_.events) {
-      const std::size_t place = numbered.emplace(number, numbered.size()).second
-                                    ? numbered[number] = classes_.add()
-                                    : numbered[number];
+    for (const auto& [piece, t] : stroke_.events) {
+      const std::size_t place = classes_.add();
       if (const auto exact = t.rational()) join_by_point(piece, *exact, place);
       add_event(piece, to_real(t), place);
     }

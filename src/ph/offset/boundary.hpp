@@ -33,7 +33,6 @@ struct UndecidedStretch {
 struct BoundaryEvent {
   std::size_t piece;
   RealAlgebraic t;
-  std::size_t place;  ///< one number for what is one point
 };
 
 /// Curves that the boundary of a plane domain is made of, and what tells what of them is.

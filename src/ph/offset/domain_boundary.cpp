@@ -1,11 +1,11 @@
 // The boundary curves are the envelope: a point of the boundary of the union is on a disc, which it
 // touches, or on the cap of one at an end. What is folded back, and where another stretch ends on
-// that, is inside of discs.
+// that, is inside of discs; so is where s changes its sign, as the gap |center − Q|² − radius² has
+// the derivatives 0, 0, 0 and 2f·s′·(radius·n′·τ) there, unless that is a cusp.
 #include "phrame/ph/offset/domain_boundary.hpp"
 
 #include <fmt/format.h>
 
-#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -58,38 +58,24 @@ OffsetBranches branches_of(const Envelope& envelope) {
   return branches;
 }
 
-/// Where both sides change places, and where sides end on caps.
+/// Where sides end on caps.
 std::vector<BoundaryEvent> events_of(const Envelope& envelope) {
   std::vector<BoundaryEvent> events;
-  std::size_t place = 0;
-  for (std::size_t segment = 0; segment < envelope.axis.size(); ++segment) {
-    const MinkowskiCurve& curve = envelope.axis[segment];
-    for (const RealRoot& root : odd(real_roots(spacelike_root(curve), open_interval(0, 1)))) {
-      for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
-        const EnvelopePiece& piece = envelope.pieces[k];
-        if (piece.segment == segment && !is_cap(piece))
-          events.push_back(
-              {k, piece.kind == EnvelopePiece::Kind::left ? affine(root.at, -1, 1) : root.at,
-               place});
-      }
-      ++place;
-    }
-    for (const long t : {0L, 1L}) {
-      const AxisEnd end = end_of(curve, t);
-      for (const PlaneDirection& n : {end.right, end.left}) {
-        const Vector<Rational> at{end.disc[0] + end.disc[2] * n.x, end.disc[1] + end.disc[2] * n.y,
-                                  0};
-        for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
-          const EnvelopePiece& piece = envelope.pieces[k];
-          if (!is_cap(piece)) continue;
-          const long of = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
-          if (evaluate(position(envelope.axis[piece.segment]), of) != end.disc) continue;
+  for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
+    const EnvelopePiece& piece = envelope.pieces[k];
+    if (!is_cap(piece)) continue;
+    const long of = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
+    const Vector<Rational> disc = end_of(envelope.axis[piece.segment], of).disc;
+    for (const MinkowskiCurve& curve : envelope.axis)
+      for (const long t : {0L, 1L}) {
+        const AxisEnd end = end_of(curve, t);
+        if (end.disc != disc) continue;
+        for (const PlaneDirection& n : {end.right, end.left}) {
+          const Vector<Rational> at{disc[0] + disc[2] * n.x, disc[1] + disc[2] * n.y, 0};
           for (const RealAlgebraic& x : through(piece.curve, at, open_interval(0, 1)))
-            events.push_back({k, x, place});
+            events.push_back({k, x});
         }
-        ++place;
       }
-    }
   }
   return events;
 }

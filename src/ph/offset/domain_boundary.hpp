@@ -11,7 +11,7 @@ struct DomainBoundary {
   std::vector<UndecidedStretch> undecided;  ///< mostly none
 };
 /// The boundary of the domain: all points of the envelope that are inside of no disc. It is cut as
-/// trimmed_offset() cuts, and where s = 0; between these one rational point tells for all. Throws
+/// trimmed_offset() cuts; between these one rational point tells for all. Throws
 /// DomainError where an axis turns back at a cusp, and Undecided as trimmed_offset().
 PHRAME_API DomainBoundary domain_boundary(MedialAxis axis);
 /// The branch as trimmed offsets have it, moved by less than 10^−digits of the greatest radius.

@@ -246,6 +246,39 @@ TEST_CASE("envelope: discs about a parabola that touch its directrix touch in it
   CHECK(area(boundary, boundary.branches[0]) == doctest::Approx(2 * pi + 2 - pi / 2).epsilon(1e-3));
 }
 
+TEST_CASE("envelope: about a corner, and about discs that touch their tips, it is closed") {
+  // An L of two strips of the width 2, 15, with a quarter and two halves of the disc.
+  const DomainBoundary bent =
+      domain_boundary({line({0, 0, 1}, {4, 0, 1}), line({4, 0, 1}, {4, 4, 1})});
+  REQUIRE(bent.branches.size() == 1);
+  CHECK(area(bent, bent.branches[0]) ==
+        doctest::Approx(15 + 5 * std::acos(-1.0) / 4).epsilon(1e-3));
+  // On the arc about a corner between curves it is cut where these begin, exactly.
+  const MinkowskiCurve leaf = curve_of({Polynomial{3}, {0, 2}, {0, 2}}, {0, 0, 1});
+  const Vector<Rational> end = evaluate(position(leaf), 1);
+  const DomainBoundary curved = domain_boundary(
+      {leaf,
+       curve_of(
+           {Polynomial{Rational(9, 5), Rational(-8, 5)}, {Rational(12, 5), Rational(6, 5)}, {0, 2}},
+           end)});
+  CHECK(curved.undecided.empty());
+  for (const TrimmedBranch& branch : curved.branches)
+    for (const OffsetPart& part : branch.parts)
+      if (curved.envelope.pieces[part.piece].kind == EnvelopePiece::Kind::end_cap) {
+        CHECK(part.from.exact());
+        CHECK(part.to.exact());
+      }
+  // x′ = (1 + b²)/2, r′ = (1 − b²)/2, b = t − 1: the left tip of the last disc stands still, and
+  // all of its circle is the cap.
+  const Polynomial b{-1, 1};
+  const Rational half(1, 2);
+  const DomainBoundary tip = domain_boundary(
+      {curve_of({half * (Polynomial{1} + b * b), {}, half * (Polynomial{1} - b * b)}, {0, 0, 1})});
+  REQUIRE(tip.branches.size() == 1);
+  CHECK(tip.branches[0].is_closed);
+  CHECK(area(tip, tip.branches[0]) > std::acos(-1.0) * 16 / 9);  // that of the last disc
+}
+
 TEST_CASE("envelope: law: the boundary is what is inside of no disc, with the domain on its left") {
   for_samples(3, [](Random& random) {
     const MedialAxis axis{tame_curve(random)};
