@@ -69,9 +69,9 @@ def ask(question: str, path: Any, **options: Any) -> Dict[str, Any]:
     """What the program answers in JSON: ask("totals", path, digits=30) is `phrame totals FILE --digits 30 --print json`.
 
     `path` is a Path, the name of a file or a dict with what is in one; of "construct" it is the points, of "verify" the
-    certificate, of "integrate" the expression, of "envelope" the curves with radii. `options` are
-    those of the command, without dashes in front and with _ for -, and for a word of Python with _ behind: from_="pi/8". None is as if not given. An answer that is no JSON is
-    {"output": "…"}, with "status": 1 where it is no.
+    certificate, of "integrate" the expression, of "envelope" the curves with radii. `options` are those of the command,
+    without dashes in front and with _ for -, and for a word of Python with _ behind: from_="pi/8". None is as if not given.
+    An answer that is no JSON is {"output": "…"}, with "status": 1 where it is no.
     """
     questions = _questions()
     if not isinstance(question, str):

@@ -32,8 +32,8 @@ class DiscCover {
   DiscCover(const PhPath& path, const Rational& d);
 
   /// A disc that the point is inside of, if there is any: decided exactly, on circles, too. `known`
-  /// is what |(x, y) − w·at|² − r² of that track is known to be a multiple of, > 0 inside (0, 1)
-  /// but for double zeros: (s − t)² where a circle is touched from outside by what at(t) is on.
+  /// is a factor, ≥ 0 on [0, 1], of |(x, y) − w·at|² − r² of that track: (s − t)² where the
+  /// envelope touches the disc of t in that point.
   std::optional<Disc> disc_around(const Vector<Rational>& at, std::size_t track,
                                   const Polynomial& known) const;
   /// The same where nothing is known.

@@ -7,8 +7,9 @@
 // is in no disc near t only if the sign of the factor is that of s: the boundary goes along τ, with
 // the domain on its left, and along the piece where s > 0.
 //
-// On a last disc no point is inside discs next to it where n·(x, y) ≥ −r: the cap. So on a disc at
-// which several segments end all of the boundary is on the cap of each, and one is enough.
+// On a last disc the points with n·(x, y) ≥ −r, the cap, are inside of no disc next to it, and all
+// others are. So on a disc at which several segments end all of the boundary is on the cap of each,
+// and one is enough.
 #include "phrame/ph/offset/envelope.hpp"
 
 #include <fmt/format.h>

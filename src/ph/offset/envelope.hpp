@@ -14,9 +14,8 @@ enum class Side {
 };
 
 /// n(t), from the center of the disc at t to where it touches the envelope on that side:
-///   n = (± s·J(x, y) − r·(x, y))/(x² + y²),  J(x, y) = (y, −x),
-/// + to the right, with (x, y, r) = direction() and s = spacelike_root(): |n| = 1, and n·(x, y) =
-/// −r.
+///   (d² − c², −2cd)/(c² + d²) to the right, (b² − a², 2ab)/(a² + b²) to the left,
+/// with the null_factors(): |n| = 1, and n·(x, y) = −r for the direction() (x, y, r).
 PHRAME_API PlaneDirection envelope_normal(const MinkowskiCurve& curve, Side side,
                                           const Rational& t);
 
