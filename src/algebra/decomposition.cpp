@@ -29,7 +29,8 @@ Polynomial inner_candidate(const Polynomial& d, long k) {
   return Polynomial(h);
 }
 
-/// p₁ with p = p₁∘h.
+}  // namespace
+
 std::optional<Polynomial> outer_of(Polynomial p, const Polynomial& h) {
   std::vector<Rational> digits;
   while (!p.is_zero()) {
@@ -40,8 +41,6 @@ std::optional<Polynomial> outer_of(Polynomial p, const Polynomial& h) {
   }
   return Polynomial(digits);
 }
-
-}  // namespace
 
 std::optional<Decomposition> decomposition(const Polynomial& n, const Polynomial& d, long k) {
   const Polynomial h = inner_candidate(d, k);

@@ -12,12 +12,11 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/handle.hpp"
+#include "phrame/algebra/integer_factors.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
-constexpr unsigned largest_divisor = 10'000;
-constexpr long factored_bits = 128;      ///< a second at worst
 constexpr long two_squares_bits = 4096;  ///< a power modulo p of this size takes as long
 
 /// The integer nearest to x/n, n > 0.
@@ -47,48 +46,6 @@ std::optional<GaussianInteger> prime_above(const Integer& p) {
   const GaussianInteger pi = gcd(GaussianInteger{p, 0}, GaussianInteger{r, 1});
   if (norm(pi) != p) return std::nullopt;
   return pi.re > pi.im ? pi : GaussianInteger{pi.im, pi.re};
-}
-
-struct IntegerPower {
-  Integer base;
-  unsigned long exponent;
-};
-
-struct FlintFactors {
-  fmpz_factor_t value;
-  FlintFactors() { fmpz_factor_init(value); }
-  ~FlintFactors() { fmpz_factor_clear(value); }
-  FlintFactors(const FlintFactors&) = delete;
-  FlintFactors& operator=(const FlintFactors&) = delete;
-};
-
-/// The prime factors of x < 2¹²⁸, by elliptic curves. (The quadratic sieve, which fmpz_factor
-/// takes, writes files into the working directory.)
-void append_factors(std::vector<IntegerPower>& list, const Integer& x) {
-  FlintFactors found;
-  fmpz_factor_smooth(found.value, x.raw(), (bit_length(x) - 1) / 2 + 2, 0);
-  for (slong k = 0; k < found.value->num; ++k)
-    list.push_back({Integer(found.value->p + k), found.value->exp[k]});
-}
-
-/// x as a product of powers; the bases are primes as far as split_norm promises.
-std::vector<IntegerPower> factors(const Integer& x) {
-  std::vector<IntegerPower> list;
-  Integer rest = x;
-  for (unsigned p = 2; p <= largest_divisor && rest > 1; ++p) {
-    unsigned long exponent = 0;
-    for (; rest % p == 0; rest /= p) ++exponent;
-    if (exponent > 0) list.push_back({p, exponent});
-  }
-  if (rest == 1) return list;
-  const Integer root = sqrt(rest);
-  const bool is_square = root * root == rest;
-  const Integer& last = is_square ? root : rest;
-  if (!is_square && bit_length(last) <= factored_bits)
-    append_factors(list, last);
-  else
-    list.push_back({last, is_square ? 2UL : 1UL});
-  return list;
 }
 
 /// Primes whose product fits a word, so that one division tells which of them divide a number.

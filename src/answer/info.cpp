@@ -58,6 +58,10 @@ void add_bends(InfoAnswer& answer, long digits) {
   const Path& path = answer.path.path;
   const auto normal = upper_normal(path);
   if (!normal || rational_curve(path.segments().front()) == nullptr) return;
+  if (path.is_ph())
+    answer.offset = OffsetKind{OffsetKind::Kind::each_side, {1}};
+  else
+    answer.offset = offset_kind(*rational_curve(path.segments().front()));
   answer.bends.emplace();
   for (const CurvaturePlace& place : curvature_places(path.segments().front(), *normal))
     answer.bends->push_back(

@@ -5,6 +5,7 @@
 #include "phrame/ph/curve/complex_form.hpp"
 #include "phrame/ph/curve/nearest.hpp"
 #include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/offset/offset_kind.hpp"
 
 namespace phrame::inline v0 {
 
@@ -54,6 +55,7 @@ struct InfoAnswer {
   std::optional<std::vector<Bend>> bends = {};
   /// K, L, M of the tangents, of a rational PH curve by itself in a plane z = const.
   std::optional<Vector<Polynomial>> tangents = {};
+  std::optional<OffsetKind> offset = {};  ///< of that curve: is its offset rational?
   // Of a PH curve by itself:
   std::vector<Decimal> erf_inflections = {};  ///< in (0, 1), where the ERF turns back
   std::vector<Decimal> erf_extrema = {};      ///< in (0, 1), of its rate about e₁

@@ -1,5 +1,7 @@
 #include "phrame/answer/offset.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/algebra/algebraic_image.hpp"
@@ -222,11 +224,34 @@ std::vector<OffsetAnswer::Trimmed> pocket(const PhPath& path, const OffsetQuery&
   return Pocket(path, d, query.join, query.digits).make();
 }
 
+/// Of a path that is not PH.
+std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& query) {
+  const RationalCurve* curve =
+      path.segments().size() == 1 ? rational_curve(path.segments().front()) : nullptr;
+  if (curve == nullptr || query.trim || query.pocket || !curve->direction()[2].is_zero())
+    throw DomainError("offset: the path is not Pythagorean-hodograph");
+  const OffsetKind kind = offset_kind(*curve);
+  if (kind.prime != 0)
+    throw DomainError(fmt::format(
+        "offset: the two-sided offset is rational over ℚ(√{}), not over ℚ, as y² = {} has no "
+        "point modulo powers of {}",
+        to_string(kind.radicand), to_string(kind.squarefree), to_string(kind.prime)));
+  if (!kind.conic) throw DomainError("offset: the path is not Pythagorean-hodograph");
+  std::vector<OffsetAnswer::Both> found;
+  for (const Rational& d : query.distances) {
+    if (d == 0) throw DomainError("offset: the distance is 0");
+    found.push_back({d, two_sided_offset(*curve, kind, d, query.digits), {}});
+    for (const RationalCurve& side : found.back().offset.sides)
+      found.back().paths.emplace_back(side);
+  }
+  return found;
+}
+
 }  // namespace
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
   const auto path = named.path.with_preimages();
-  if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
+  if (!path) return {named, false, query.join, {}, {}, both_sides(named.path, query)};
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
   if (query.pocket)
     answer.trimmed = pocket(*path, query);
@@ -249,6 +274,7 @@ std::vector<Path> all_paths(const OffsetAnswer& answer) {
   std::vector<Path> all;
   for (const auto& part : answer.offsets)
     all.insert(all.end(), part.paths.begin(), part.paths.end());
+  for (const auto& part : answer.both) all.insert(all.end(), part.paths.begin(), part.paths.end());
   for (const auto& part : answer.trimmed)
     for (const auto& branch : part.branches)
       all.insert(all.end(), branch.paths.begin(), branch.paths.end());

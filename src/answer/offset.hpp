@@ -5,6 +5,7 @@
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/offset/offset.hpp"
+#include "phrame/ph/offset/offset_kind.hpp"
 
 namespace phrame::inline v0 {
 
@@ -95,6 +96,12 @@ struct OffsetAnswer {
     std::vector<Branch> branches;             ///< by the places where they start
     std::vector<UndecidedStretch> undecided;  ///< where branches touch or coincide
   };
+  /// Both offsets of a curve that is not PH.
+  struct Both {
+    Rational distance;        ///< as asked
+    TwoSidedOffset offset;    ///< one rational curve
+    std::vector<Path> paths;  ///< the sides of it
+  };
   NamedPath path;             ///< as asked
   bool is_closed;             ///< is that closed?
   OffsetJoin join;            ///< as asked
@@ -102,10 +109,13 @@ struct OffsetAnswer {
   /// In that order, if they are. Of a pocket each is one branch: first one next to the path, and
   /// behind each branch those inside of it, so that one room comes after the other.
   std::vector<Trimmed> trimmed = {};
+  std::vector<Both> both = {};  ///< in that order, if the path is not PH
 };
 
-/// Throws DomainError for a path that is not PH or in no plane z = const, for a distance 0, as
-/// trimmed_offset(), and for a pocket of an open path, at several distances, or to the outside.
+/// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
+/// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
+/// distance 0, as trimmed_offset(), and for a pocket of an open path, at several distances, or to
+/// the outside.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

@@ -26,6 +26,7 @@ OffsetDrawing drawing(const OffsetAnswer& answer) {
   std::vector<Rational> sizes;
   for (const auto& part : answer.offsets) sizes.push_back(abs(part.distance));
   for (const auto& part : answer.trimmed) sizes.push_back(abs(part.distance));
+  for (const auto& part : answer.both) sizes.push_back(abs(part.distance));
   return drawing_of("offset", answer.path.name, all_paths(answer),
                     *std::ranges::min_element(sizes));
 }

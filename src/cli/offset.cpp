@@ -41,6 +41,27 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
+/// A PH path, or a curve in a plane of which the offset may be rational for both sides together.
+NamedPath read_curve(CurveOptions options) {
+  if (options.near) return options.read_path_with_preimages();
+  if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
+  try {
+    return options.read_path_with_preimages();
+  } catch (const InputError&) {
+    const std::exception_ptr not_ph = std::current_exception();
+    try {
+      NamedPath other = options.read_any_path();
+      const auto& segments = other.path.segments();
+      const RationalCurve* curve = rational_curve(segments.front());
+      if (segments.size() == 1 && curve != nullptr && curve->direction()[2].is_zero() &&
+          offset_kind(*curve).kind == OffsetKind::Kind::two_sided)
+        return other;
+    } catch (const Error&) {  // it is no curve
+    }
+    std::rethrow_exception(not_ph);
+  }
+}
+
 /// A list of points or lines is a polyline; all else is a curve, or several, a line each.
 void add_foreign(ForeignOffset& given, const std::string& file, const OffsetOptions& options) {
   const FileReading& reading = options.curve.reading;
@@ -93,7 +114,7 @@ void run(const OffsetOptions& options) {
                                                                    {"curve", write_offsets},
                                                                    {"nurbs", write_offset_nurbs}});
   const OffsetQuery asked = query(options);
-  const OffsetAnswer found = answer(options.curve.read_path_with_preimages(), asked);
+  const OffsetAnswer found = answer(read_curve(options.curve), asked);
   const bool is_curve = print == write_offsets || print == write_offset_nurbs;
   if (!options.output.empty()) {
     const std::string end = ending(options.output);
@@ -148,7 +169,9 @@ void add_offset(Program& program) {
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
       "are all found, and so are the places where it meets itself, but for those that are said to\n"
-      "be undecided. With --trim what is nearer to the path than |d| is cut away, and the report\n"
+      "be undecided. Of a curve that is not PH it is one curve for both sides, by a parameter m,\n"
+      "where x'^2 + y'^2 has two simple roots and the conic of these a rational point. With --trim "
+      "what is nearer to the path than |d| is cut away, and the report\n"
       "has the branches that are left, in place of cusps and meetings.\n"
       "Behind a cusp at which the path turns back it is on the other side of travel.\n"
       "With --check the exit status is 1 where what is given is not proved to be within --tol.\n"

@@ -284,6 +284,37 @@ TEST_CASE("offset --check: what somebody else has is judged from both sides, wit
   check_failure(here.run("offset turn.json --distance 1 --check none.csv"), 2, "phrame: none.csv");
 }
 
+TEST_CASE("offset: of a parabola both sides are one curve, which other commands read") {
+  const Workshop here;
+  here.write("parabola.json", R"({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0],
+      [1, 1, 0]]})");
+  // W = 256(s² + 16)s² of Lü's form, at s = −4m.
+  const Run text = here.run("offset parabola.json --distance 1/3");
+  check_success(text);
+  CHECK(contains(text.out, "m⁴ + m²\n"));
+  CHECK(contains(here.run("offset parabola.json --distance 1/3 --print latex").out, "m^{4}"));
+  const Run json = here.run("offset parabola.json --distance -1 --print json -o both.jsonl");
+  check_success(json);
+  const Json both = Json::parse(json.out)["both"][0];
+  CHECK(both["weight"] == Json({"0", "0", "1", "0", "1"}));
+  CHECK(both["paths"].size() == 2);
+  // To the left first, from (0, 1) to (1, 1) + (−2, 1)/√5.
+  const std::string lines = bytes_of(here.file("both.jsonl"));
+  const NamedPath left = read_any_path(lines.substr(0, lines.find('\n')));
+  const auto at = [&](long t) { return point(*rational_curve(left.path.segments().front()), t); };
+  CHECK(std::abs(static_cast<double>(at(0)[1]) - 1) < 1e-15);
+  CHECK(std::abs(static_cast<double>(at(1)[0]) - (1 - 2 / std::sqrt(5.0))) < 1e-15);
+  check_success(here.run("offset parabola.json --distance 1 -o both.svg"));
+  check_success(here.run("offset parabola.json --distance 1 -o both.dxf"));
+  CHECK(contains(here.run("info parabola.json").out, "rational for both sides together, by t ="));
+  here.write("cubic.json", R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0],
+      [3, 0, 0], [1, 1, 0]]})");
+  CHECK(contains(here.run("info cubic.json").out, "not rational: x′² + y′² has 4 simple roots"));
+  check_failure(here.run("offset cubic.json --distance 1 -o off.json"), 2, "phrame: cubic.json");
+  here.write("turn.json", turn);
+  CHECK(Json::parse(here.run("info turn.json --print json").out)["offset"]["kind"] == "each-side");
+}
+
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {
   const Workshop here;
   here.write("turn.json", turn);

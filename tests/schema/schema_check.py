@@ -29,6 +29,7 @@ CORNER = json.dumps({"phrame": "spline/1", "segments": [
     {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 1, 0]]}]})
 PLANE = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": ["1/100"]}})
 TURN = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})
+PARABOLA = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})
 THERE_AND_BACK = json.dumps({"phrame": "curve/1", "basis": "power", "multiplier": [1, -2],
                              "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})
 NOT_PH = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]})
@@ -152,6 +153,9 @@ def check_command_line(folder):
         ask("envelope", axis, "--print", "json")
         ask("envelope", axis, "--trim", "--print", "json")
     ask("envelope", here / "0.axis", "--trim", "--print", "curve")
+    (here / "parabola.offset").write_text(PARABOLA)
+    ask("offset", here / "parabola.offset", "--distance", "1/2", "--print", "json")
+    ask("info", here / "parabola.offset", "--print", "json")
     ask("offset", here / "corner.offset", "--distance", "1/2", "--check", here / "turn.offset", "--print", "json")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "phrame/answer/info.hpp"
+#include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -103,6 +104,52 @@ Field bends_field(const std::vector<InfoAnswer::Bend>& bends) {
                                                 }}};
 }
 
+std::string in_words(const OffsetKind& offset, Notation notation) {
+  using Kind = OffsetKind::Kind;
+  const auto field = [&] {
+    return offset.radicand == 1
+               ? ""
+               : ", over " + formula(fmt::format("ℚ(√{})", to_string(offset.radicand)), notation);
+  };
+  switch (offset.kind) {
+    case Kind::each_side:
+      return "rational to each side" + field();
+    case Kind::none:
+      return fmt::format("not rational: $x′² + y′²$ has {} simple roots",
+                         offset.squarefree.degree());
+    case Kind::undecided:
+      return "undecided";
+    case Kind::two_sided:
+      break;
+  }
+  if (offset.prime != 0)
+    return fmt::format(
+        "rational for both sides together{}, as $y² = $ {} has no point modulo powers of {}",
+        field(), in_words(offset.squarefree, notation), to_string(offset.prime));
+  if (!offset.conic) return "rational for both sides together";
+  return "rational for both sides together, by " + formula("t =", notation) + " " +
+         formula(formatted_quotient((*offset.conic->form)[0], notation, "m"), notation);
+}
+
+Field offset_field(const OffsetKind& offset) {
+  using Kind = OffsetKind::Kind;
+  const auto json = [&offset] {
+    JsonOutput said = {{"kind", offset.kind == Kind::each_side   ? "each-side"
+                                : offset.kind == Kind::two_sided ? "two-sided"
+                                : offset.kind == Kind::none      ? "none"
+                                                                 : "undecided"},
+                       {"squarefree", json_of(offset.squarefree)},
+                       {"radicand", to_string(offset.radicand)}};
+    if (offset.prime != 0) said["no_point_modulo"] = to_string(offset.prime);
+    if (offset.conic) said["t"] = json_of((*offset.conic->form)[0]);
+    return said;
+  };
+  return {
+      "offset",
+      "offset",
+      {Value::Words([&offset](Notation notation) { return in_words(offset, notation); }), json}};
+}
+
 Field complex_field(const ComplexForm& form, const Polynomial& f) {
   return object_field(
       "complex", {{"multiplier", form.multiplier == f ? "" : "$f$ of $r′ = f·w²$", form.multiplier},
@@ -149,6 +196,7 @@ Fields ph_fields(const InfoAnswer& info, const Curve& curve, const Field& length
   if (info.tschirnhausen)
     fields.push_back(tschirnhausen_field(*info.tschirnhausen, info.tschirnhausen_scale));
   if (info.bends) fields.push_back(bends_field(*info.bends));
+  if (info.offset) fields.push_back(in_json(offset_field(*info.offset)));
   return fields;
 }
 
@@ -198,6 +246,7 @@ Fields polynomial_fields(const InfoAnswer& info, const RationalCurve& curve) {
                 {"", "$r(1)$", point(curve, 1)},
                 {"cusps", "cusp, $r′ = 0$", cusps_value(info.cusps)}};
   if (info.bends) fields.push_back(bends_field(*info.bends));
+  if (info.offset) fields.push_back(offset_field(*info.offset));
   return fields;
 }
 

@@ -224,6 +224,30 @@ Fields fields(const OffsetAnswer::Trimmed& part) {
   return list;
 }
 
+/// Of both sides of a curve that is not PH, by m.
+Fields fields(const OffsetAnswer::Both& part) {
+  const TwoSidedOffset& offset = part.offset;
+  const auto by_m = [](const Polynomial& p) -> Value {
+    return {Value::Words(
+                [&p](Notation notation) { return formula(formatted(p, notation, "m"), notation); }),
+            [&p] { return json_of(p); }};
+  };
+  const auto t = [&](Notation notation) {
+    return formula(formatted_quotient(offset.parameter, notation, "m"), notation);
+  };
+  return {{"distance",
+           "distance $d$",
+           {Value::Words([&](Notation notation) {
+              return in_words(part.distance, notation) + ", to both sides";
+            }),
+            [&] { return json_of(part.distance); }}},
+          {"parameter", "$t$", {Value::Words(t), [&] { return json_of(offset.parameter); }}},
+          {"x", "$X$", by_m(offset.numerator[0])},
+          {"y", "$Y$", by_m(offset.numerator[1])},
+          {"weight", "$W$", by_m(offset.weight)},
+          {"paths", "side", paths_value(part.paths)}};
+}
+
 }  // namespace
 
 std::string to_text(const OffsetAnswer& answer) {
@@ -231,10 +255,12 @@ std::string to_text(const OffsetAnswer& answer) {
   std::string text = heading(answer.path) + "\n";
   if (!answer.path.path.corners().empty() || closure(answer.path.path).at_corner)
     text += fmt::format("corners joined: {}\n", name_of(answer.join));
-  const std::string signs = notes_on_signs(*answer.path.path.with_preimages());
+  const auto ph = answer.path.path.with_preimages();
+  const std::string signs = ph ? notes_on_signs(*ph) : "";
   if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
   for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
   for (const auto& part : answer.trimmed) text += "\n" + to_rows(fields(part), width);
+  for (const auto& part : answer.both) text += "\n" + to_rows(fields(part), width);
   return text;
 }
 
@@ -244,7 +270,9 @@ std::string to_json(const OffsetAnswer& answer) {
                      {"name", answer.path.name},
                      {"closed", answer.is_closed},
                      {"join", name_of(answer.join)}};
-  if (answer.trimmed.empty())
+  if (!answer.both.empty())
+    json["both"] = array_of(answer.both, offset);
+  else if (answer.trimmed.empty())
     json["offsets"] = array_of(answer.offsets, offset);
   else
     json["trimmed"] = array_of(answer.trimmed, offset);
@@ -256,6 +284,7 @@ std::string to_latex(const OffsetAnswer& answer) {
   std::string text;
   for (const Part& part : answer.offsets) text += to_align(fields(part));
   for (const auto& part : answer.trimmed) text += to_align(fields(part));
+  for (const auto& part : answer.both) text += to_align(fields(part));
   return text;
 }
 
