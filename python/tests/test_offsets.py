@@ -1,5 +1,6 @@
 """Offsets of plane PH paths."""
 
+import json
 import math
 
 import pytest
@@ -34,6 +35,20 @@ def test_what_is_nearer_to_the_path_is_trimmed():
     assert len(triangle.offset(2, "open", trim=True)) == 3
     (outside,) = triangle.offset(2, "mitre", trim=True)
     assert outside.length == 36
+
+
+def test_a_pocket():
+    corners = [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 0, 0]]
+    triangle = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
+    # Similar to it, with the inradius 1 − k/4.
+    assert [path.length for path in triangle.offset("-1/4", pocket=True)] == [9, 6, 3]
+    with pytest.raises(phrame.DomainError, match="the path is open"):
+        CORNER.offset(1, pocket=True)
+
+
+def test_a_check_by_ask():
+    found = phrame.ask("offset", CUBIC, distance="1/2", check=json.loads(CUBIC.offset("1/2")[0].json()), tol="1e-9")
+    assert found["passes"] and found["missing"]["count"] == 0
 
 
 def test_the_report_by_ask():

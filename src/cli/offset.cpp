@@ -20,7 +20,7 @@ struct OffsetOptions {
   TextLength length;
   std::string output;
   long digits = 17;
-  std::vector<std::string> given;
+  std::optional<std::string> given;
   std::string tolerance = "1e-6";
 };
 
@@ -99,14 +99,14 @@ void run_check(const OffsetOptions& options) {
                          asked.trim,
                          {},
                          parse_positive_option("--tol", options.tolerance)};
-  for (const std::string& file : split(options.given)) add_foreign(check.given, file, options);
+  add_foreign(check.given, *options.given, options);
   const OffsetCheckAnswer found = answer(options.curve.read_path(), check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));
   if (!found.passes) throw AnswerNo{};
 }
 
 void run(const OffsetOptions& options) {
-  if (!options.given.empty()) return run_check(options);
+  if (options.given) return run_check(options);
   const auto print = choose<std::string (*)(const OffsetAnswer&)>("--print", options.print,
                                                                   {{"text", to_text},
                                                                    {"json", to_json},
@@ -145,10 +145,10 @@ void add_offset(Program& program) {
       "--pocket", options->pocket,
       "of a closed path, trimmed, the offsets at the one distance, inwards, and at its\n"
       "multiples until nothing is left, one room after the other");
-  command.add_list(
-      "--check", "FILE,...", options->given,
-      "how far that is from the exact offset, to both sides, proved: tables of points\n"
-      "and polylines of a file, or curves");
+  command.add_option(
+      "--check", "FILE", options->given,
+      "how far that is from the exact offset, to both sides, proved: a table of points,\n"
+      "a polyline, or curves, a line each");
   command.add_option("--tol", "BOUND", options->tolerance,
                      "the distance that is allowed (default 1e-6)");
   add_digits(command, options->digits);
