@@ -100,7 +100,9 @@ void run_check(const OffsetOptions& options) {
                          {},
                          parse_positive_option("--tol", options.tolerance)};
   add_foreign(check.given, *options.given, options);
-  const OffsetCheckAnswer found = answer(options.curve.read_path(), check);
+  CurveOptions curve = options.curve;
+  curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
+  const OffsetCheckAnswer found = answer(curve.read_path(), check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));
   if (!found.passes) throw AnswerNo{};
 }

@@ -282,6 +282,13 @@ TEST_CASE("offset --check: what somebody else has is judged from both sides, wit
   check_failure(here.run("offset turn.json --distance 1,2 --check off.csv"), 2,
                 "phrame: --check: one distance is wanted");
   check_failure(here.run("offset turn.json --distance 1 --check none.csv"), 2, "phrame: none.csv");
+  here.write("twice.csv", "x,y\n0,-1\n0,-1\n1,1\n");
+  check_failure(here.run("offset turn.json --distance 1 --check twice.csv"), 2,
+                "phrame: twice.csv:line 3: the point");
+  CHECK(here.run("offset turn.json --distance 1 --check twice.csv --skip-invalid").status == 1);
+  here.write("far.csv", "x,y\n0,-1\n1e400,1\n");
+  check_failure(here.run("offset turn.json --distance 1 --check far.csv"), 3,
+                "phrame: greatest_gap: a coordinate is beyond the range of doubles\n");
 }
 
 TEST_CASE("offset: of a parabola both sides are one curve, which other commands read") {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <queue>
 
+#include "phrame/algebra/error.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
@@ -248,9 +250,12 @@ class GapSearch {
     std::vector<Bezier> made;
     for (const CubicPart& part : curves.parts) {
       Bezier c;
-      for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t k = 0; k < 4; ++k) {
         c[k] = {static_cast<double>(part.cubic[k][0] - origin_[0]),
                 static_cast<double>(part.cubic[k][1] - origin_[1])};
+        if (!std::isfinite(c[k].x) || !std::isfinite(c[k].y))
+          throw DomainError("greatest_gap: a coordinate is beyond the range of doubles");
+      }
       made.push_back(c);
     }
     return made;
