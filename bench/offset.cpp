@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
+#include "phrame/answer/envelope.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 
@@ -73,6 +74,19 @@ void offset_trimmed_100(State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(answer(path, query).trimmed.data());
 }
 
+/// The same path with discs of one radius along it, cut on both sides.
+void envelope_trimmed_100(State& state) {
+  const PhPath path = wave();
+  NamedAxis axis{"", {}};
+  for (const Curve& curve : path.segments()) {
+    Vector<Rational> start = curve.start();
+    start[2] = 3;
+    axis.segments.push_back(std::get<MinkowskiCurve>(identify_minkowski(hodograph(curve), start)));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(answer(axis, EnvelopeQuery{true}).branches.data());
+}
+
+BENCHMARK(envelope_trimmed_100)->Unit(benchmark::kMillisecond);
 BENCHMARK(offset_trimmed_100)->Unit(benchmark::kMillisecond);
 BENCHMARK(offset_quintic)->Unit(benchmark::kMicrosecond);
 BENCHMARK(offset_cusps)->Unit(benchmark::kMicrosecond);
