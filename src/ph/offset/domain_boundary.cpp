@@ -60,22 +60,23 @@ OffsetBranches branches_of(const Envelope& envelope) {
 
 /// Where sides end on caps.
 std::vector<BoundaryEvent> events_of(const Envelope& envelope) {
+  std::vector<AxisEnd> ends;
+  for (const MinkowskiCurve& curve : envelope.axis)
+    for (const long t : {0L, 1L}) ends.push_back(end_of(curve, t));
   std::vector<BoundaryEvent> events;
   for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
     const EnvelopePiece& piece = envelope.pieces[k];
     if (!is_cap(piece)) continue;
-    const long of = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
-    const Vector<Rational> disc = end_of(envelope.axis[piece.segment], of).disc;
-    for (const MinkowskiCurve& curve : envelope.axis)
-      for (const long t : {0L, 1L}) {
-        const AxisEnd end = end_of(curve, t);
-        if (end.disc != disc) continue;
-        for (const PlaneDirection& n : {end.right, end.left}) {
-          const Vector<Rational> at{disc[0] + disc[2] * n.x, disc[1] + disc[2] * n.y, 0};
-          for (const RealAlgebraic& x : through(piece.curve, at, open_interval(0, 1)))
-            events.push_back({k, x});
-        }
+    const bool is_last = piece.kind == EnvelopePiece::Kind::end_cap;
+    const Vector<Rational>& disc = ends[2 * piece.segment + (is_last ? 1 : 0)].disc;
+    for (const AxisEnd& end : ends) {
+      if (end.disc != disc) continue;
+      for (const PlaneDirection& n : {end.right, end.left}) {
+        const Vector<Rational> at{disc[0] + disc[2] * n.x, disc[1] + disc[2] * n.y, 0};
+        for (const RealAlgebraic& x : through(piece.curve, at, open_interval(0, 1)))
+          events.push_back({k, x});
       }
+    }
   }
   return events;
 }
