@@ -9,6 +9,7 @@
 #include "phrame/algebra/decomposition.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/gaussian_integer.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -64,6 +65,26 @@ std::optional<RationalCurve> traced_once(const RationalCurve& curve, const Polyn
   return RationalCurve(outer);
 }
 
+/// Of a curve in a plane z = const: D = |αt + β|² with β = −αρ, D(ρ) = 0, and α by one value of H.
+/// As α and β span ℚ(i), αt + βs = 1 for some t and s, a point with y = 1. Nothing is factored.
+ConicParameters conic_of(const Vector<Polynomial>& h, const SplitNorm& split) {
+  const Polynomial& q = split.squarefree;
+  const Rational a = q.coefficient(2);
+  const Rational b = q.coefficient(1);
+  const Rational c = q.coefficient(0);
+  const auto root = square_root(4 * a * c - b * b);
+  if (!h[2].is_zero() || !root || square_root(a) || square_root(c)) return conic_parameters(q);
+  const GaussianRational to_root{b / (2 * a), -*root / (2 * a)};  // −ρ, of the norm c/a
+  const Rational scale = a / (c * split.square(0));
+  const GaussianRational alpha =
+      GaussianRational{scale * h[0](0), scale * h[1](0)} * conjugate(to_root);
+  const GaussianRational beta = alpha * to_root;
+  const Rational t = beta.im;
+  const Rational s = -alpha.im;
+  const Rational y = alpha.re * t + beta.re * s;
+  return s == 0 ? conic_parameters(q) : conic_through(q, t / s, y / s);
+}
+
 /// The same conic by lines through a point with t outside of [0, 1], or at infinity.
 ConicParameters seen_from_outside(const ConicParameters& conic, const Polynomial& q) {
   if (!conic.base || (*conic.base)[0] < 0 || (*conic.base)[0] > 1) return conic;
@@ -109,7 +130,7 @@ OffsetKind offset_kind(const RationalCurve& curve) {
     found.kind = Kind::undecided;
     return found;
   }
-  ConicParameters conic = conic_parameters(split.squarefree);
+  const ConicParameters conic = conic_of(curve.direction(), split);
   found.prime = conic.prime;
   found.radicand = conic.radicand;
   found.kind = conic.form || conic.prime != 0 ? Kind::two_sided : Kind::undecided;

@@ -108,6 +108,21 @@ TEST_CASE("offset_kind: r′ = (kt + 1)·h·w² has a rational two-sided offset,
   CHECK(two_sided > 6);
 }
 
+TEST_CASE("offset_kind: of any parabola with long coefficients it is found without a factor") {
+  test::Random random(20264);
+  for (int round = 0; round < 6; ++round) {
+    const auto number = [&] {
+      return Rational(random.integer(1, 1L << 60)) * Rational(random.integer(1, 1L << 60)) + 1;
+    };
+    const RationalCurve curve =
+        plane_curve({number(), number(), number()}, {number(), -number(), number()});
+    const OffsetKind kind = offset_kind(curve);
+    CHECK(kind.kind == Kind::two_sided);
+    REQUIRE(kind.conic);
+    check_law(curve, two_sided_offset(curve, kind, 3, 9), 3);
+  }
+}
+
 TEST_CASE("offset_kind: fields, curves that are traced twice, circles and lines") {
   const OffsetKind line = offset_kind(plane_curve({0, 1}, {0, 1}));
   CHECK(line.kind == Kind::each_side);
