@@ -83,7 +83,7 @@ API = {
     "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
     "Path.check": (QUINTIC.check, CHECK),
     "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1}),
-    "Path.offset": (phrame.Curve([1], [0], [0], [0, 1]).offset, {"distance": 1, "join": "round", "trim": False}),
+    "Path.offset": (phrame.Curve([1], [0], [0], [0, 1]).offset, {"distance": 1, "join": "round", "trim": False, "pocket": False}),
     "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1, "up": None}),
     "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
     "Path.from_preimage": (phrame.Path.from_preimage, {**LISTS, **CURVE}),

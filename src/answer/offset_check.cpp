@@ -125,7 +125,7 @@ ExactParts exact_parts(const PhPath& path, const OffsetCheckQuery& query, const 
 }  // namespace
 
 OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) {
-  const auto path = named.path.ph();
+  const auto path = named.path.with_preimages();
   if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
   const Rational error = std::max(query.tolerance / 1000, abs(query.distance) * power_of_ten(-11));
   const ExactParts exact = exact_parts(*path, query, error);

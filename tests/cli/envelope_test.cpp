@@ -76,10 +76,10 @@ TEST_CASE("envelope: control points, coefficients and a preimage are one curve")
 TEST_CASE("envelope: bad files are refused in one line, with the place") {
   CHECK(reason_of(R"({"phrame": "curve/1"})") ==
         "/phrame: the format is \"mph/1\", not \"curve/1\"");
-  CHECK(
-      reason_of(R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})") ==
-      "/: this is no Minkowski PH curve: x'^2 + y'^2 - r'^2 is no square: it is 2*(2*t^2 - 2*t + 1) times "
-      "a square");
+  CHECK(reason_of(R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})") ==
+        "/: this is no Minkowski PH curve: x'^2 + y'^2 - r'^2 is no square: it is 2*(2*t^2 - 2*t + "
+        "1) times "
+        "a square");
   CHECK(
       reason_of(
           R"({"phrame": "mph/1", "segments": [{"control_points": [[0, 0, 1], [3, 4, 6]]}]})") ==

@@ -142,7 +142,7 @@ const std::vector<Case> cases{
      0,
      {"sections, within"},
      "the body folds"},
-    {"kurbo", "offset @loop.svg --distance 1", 2, {}, "needs a Pythagorean-hodograph curve"},
+    {"kurbo", "offset @loop.svg --distance 1", 0, {"1, to both sides"}, "--near 1e-1"},
     // Planar quintics with equal derivatives; the energy of SciPy 9897's data.
     {"",
      "construct @equal-derivatives.json --kind planar --solution 2",

@@ -27,7 +27,8 @@ bool is_question(const Json& command) {
 const std::map<std::string, std::string> needed{
     {"CURVE", "quintic.json"}, {"FRAMES", "frames.csv"},       {"CERT", "angle.cert"},
     {"DATA", "points.json"},   {"EXPR", "-1/(x^4 + 1)"},       {"--feed", "1 + s"},
-    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}, {"--distance", "-1,1/2"}, {"AXIS", "axis.json"}};
+    {"--period", "1/2"},       {"--profile", "polygon:3,1/9"}, {"--distance", "-1,1/2"},
+    {"AXIS", "axis.json"}};
 
 /// What else a command cannot do without, or wants in place of that, as command and option.
 const std::map<std::string, std::map<std::string, std::string>> needed_by{

@@ -22,6 +22,7 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
+#include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/shadow.hpp"
 #include "phrame/ph/offset/turning_parts.hpp"
