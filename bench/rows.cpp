@@ -5,7 +5,7 @@
 #include "curves.hpp"
 #include "phrame/answer/frame_rows.hpp"
 #include "phrame/answer/interpolation.hpp"
-#include "phrame/io/write/frame_table.hpp"
+#include "phrame/io/write/row_format.hpp"
 
 namespace phrame::inline v0::bench {
 namespace {

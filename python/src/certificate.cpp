@@ -134,7 +134,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
            })
       .def(
           "__reduce__",
-          [from_json](const C& c) {
+          [](const C& c) {
             return remade("_certificate", nb::str(written(c, c.name).c_str()),
                           nb::str(c.name.c_str()));
           },

@@ -9,7 +9,6 @@
 #include "phrame/algebra/surd_root.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "phrame/algebra/error.hpp"
 
@@ -17,8 +16,8 @@ namespace phrame::inline v0 {
 
 Radical to_radical(const Surd& x) {
   Radical sum;
-  for (const auto& [radicand, c] : std::views::reverse(x.terms()))
-    sum = sum + c * sqrt(Radical(Rational(radicand)));
+  for (auto term = x.terms().rbegin(); term != x.terms().rend(); ++term)
+    sum = sum + term->second * sqrt(Radical(Rational(term->first)));
   return sum;
 }
 

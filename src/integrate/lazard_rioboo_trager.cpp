@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 
 #include "phrame/algebra/decomposition.hpp"
 #include "phrame/algebra/error.hpp"
@@ -107,8 +106,8 @@ std::optional<ModularPolynomial> arguments_modulo(const std::vector<ModularPolyn
     if (!c_k) return std::nullopt;
     ModularPolynomial n_0 = differentiate(q_k);
     n_0 *= input[1].coefficient(algebra->size());
-    for (const ModularPolynomial& c_j : std::views::reverse(*c_k)) {
-      const ModularPolynomial n_j = multiply_modulo(c_j, n_0, q_k);
+    for (auto c_j = c_k->rbegin(); c_j != c_k->rend(); ++c_j) {
+      const ModularPolynomial n_j = multiply_modulo(*c_j, n_0, q_k);
       for (long x = 0; x < q_k.degree(); ++x) all.push_back(n_j.coefficient(x));
     }
   }

@@ -132,7 +132,7 @@ TEST_CASE("real: a remembered number is computed anew for more bits only") {
     ++asked;
     return RealBall(Rational(1, 3), bits);
   }));
-  const Real copy = third;
+  const Real copy = third;  // NOLINT(performance-unnecessary-copy-initialization)
   CHECK(third.enclose(100).contains(Rational(1, 3)));
   CHECK(copy.enclose(50).contains(Rational(1, 3)));
   CHECK(asked == 1);

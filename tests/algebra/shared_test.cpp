@@ -10,7 +10,7 @@ using namespace phrame;
 
 TEST_CASE("lazy: a value is made once for all copies, and not by a call that throws") {
   const Lazy<int> lazy;
-  const Lazy<int> copy = lazy;
+  const Lazy<int> copy = lazy;  // NOLINT(performance-unnecessary-copy-initialization)
   int made = 0;
   CHECK_THROWS_AS(lazy.get([]() -> int { throw std::runtime_error("not yet"); }),
                   std::runtime_error);
@@ -34,7 +34,7 @@ TEST_CASE("lazy: of several threads one makes the value") {
 
 TEST_CASE("refined: what is known is refined where more is asked for, and only then") {
   const Refined<long> refined;
-  const Refined<long> copy = refined;
+  const Refined<long> copy = refined;  // NOLINT(performance-unnecessary-copy-initialization)
   std::vector<long> refinements;
   const auto ask = [&](const Refined<long>& of, long bits) {
     return *of.get(bits, [&](const long* known) {

@@ -100,7 +100,7 @@ TEST_CASE(
     check_near(twist.squared_rate(), wanted["squared_rate"]);
     if (is_smooth) check_near(twist.squared_slope(), wanted["squared_slope"]);
     for (const auto& item : wanted["at"].items()) {
-      const std::string t = item.key();
+      const std::string& t = item.key();
       const auto& at = item.value();
       CAPTURE(t);
       const Place place = locate_inside(3, parse_rational(t));

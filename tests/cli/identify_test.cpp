@@ -172,8 +172,7 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
        {"angle near.json --print json", "info near.json --print json",
         "classify near.json --print json", "totals near.json --print json",
         "frames near.json --at 0 --format json",
-        "mtf near.json --from 0 --to 0 --exact-only "
-        "--print json",
+        "mtf near.json --from 0 --to 0 --exact-only --print json",
         "interpolate near.json --period 1 --feed 1 --format json",
         "check near.json frames.csv --print json", "batch lines.jsonl"}) {
     CAPTURE(command);

@@ -155,7 +155,7 @@ std::vector<Given> given(const Json& command) {
   for (const Json& option : command["options"]) {
     const std::string name = option["names"].back();
     if (option["argument"] == true || neutral.count(name) == 1) continue;
-    if (option["value"] == "") {
+    if (option["value"].get<std::string>().empty()) {
       all.push_back({name, name});
     } else if (!option["choices"].empty()) {
       // The first one is the default, but for --columns, which has none.

@@ -6,7 +6,7 @@ namespace phrame::inline v0::test {
 
 /// The curve on [0, 1], cut at these places.
 inline PhPath cut(const Curve& curve, std::vector<Rational> at) {
-  at.push_back(1);
+  at.emplace_back(1);
   PhPath path(segment(curve, 0, at.front()));
   for (std::size_t k = 1; k < at.size(); ++k) path.append(segment(curve, at[k - 1], at[k]));
   return path;

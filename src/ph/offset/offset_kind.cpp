@@ -141,7 +141,8 @@ OffsetKind offset_kind(const RationalCurve& curve) {
 TwoSidedOffset two_sided_offset(const RationalCurve& curve, const OffsetKind& kind,
                                 const Rational& d, long digits) {
   const ConicParameters& conic = kind.conic.value();
-  const auto& [t, y] = *conic.form;
+  const RationalFunction& t = conic.form->front();
+  const RationalFunction& y = conic.form->back();
   const SplitNorm split = split_norm(curve.direction());
   const auto of_m = [&](const Polynomial& p) { return compose(RationalFunction(p), t); };
   const RationalFunction length = of_m(split.square) * y;

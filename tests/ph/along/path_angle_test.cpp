@@ -345,7 +345,7 @@ TEST_CASE("path angle: another up vector gives the same frame") {
     std::vector<Rational> weights;
     for (long j = 0; j <= degree; ++j) {
       points.push_back({random.integer(-9, 9), random.integer(-9, 9), random.integer(-9, 9)});
-      weights.push_back(Rational(random.integer(1, 9)));
+      weights.emplace_back(random.integer(1, 9));
     }
     const Path path(bezier_curve(points, weights));
     const PathAngle one(path);

@@ -389,9 +389,9 @@ TEST_CASE("path totals: a B-spline of degree 12 with a series that ends late") {
   const auto R = [](const char* number) { return parse_rational(number); };
   BSpline spline;
   spline.degree = 12;
-  for (int k = 0; k < 13; ++k) spline.knots.push_back(0);
-  spline.knots.push_back(19);
-  for (int k = 0; k < 13; ++k) spline.knots.push_back(21);
+  for (int k = 0; k < 13; ++k) spline.knots.emplace_back(0);
+  spline.knots.emplace_back(19);
+  for (int k = 0; k < 13; ++k) spline.knots.emplace_back(21);
   spline.points = {
       {R("-356/7"), R("-877/100"), R("570")},    {R("591"), R("-127/2"), R("-87/2")},
       {R("11/7"), R("-302/5"), R("-431/2")},     {R("147"), R("-128"), R("-33/4")},

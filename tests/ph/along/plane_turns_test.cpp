@@ -116,7 +116,7 @@ TEST_CASE("plane turns: holonomies that are 0, π/2 and exactly π") {
   const auto back = [](const Corner& v, long times = 1) {
     return Corner{-times * v[0], -times * v[1], -times * v[2]};
   };
-  const auto holonomy_of = [&](std::vector<Corner> edges) {
+  const auto holonomy_of = [&](const std::vector<Corner>& edges) {
     std::vector<Corner> corners = along_edges(edges);
     CHECK(corners.back() == corners.front());
     corners.pop_back();

@@ -287,7 +287,7 @@ TEST_CASE("angle: copies outlive what they came from, and their values outlive t
   copy.reset();
   CHECK(agree(round_to_decimal(theta, 50).value, fifty(*made, 1)));
   RmfAngle moved_from = *made;
-  const RmfAngle moved = std::move(moved_from);
+  const RmfAngle moved = std::move(moved_from);  // NOLINT(performance-move-const-arg)
   CHECK(fifty(moved, 1) == fifty(*made, 1));
   CHECK(fifty(moved_from, 1) == fifty(*made, 1));  // NOLINT(bugprone-use-after-move): a promise
 }

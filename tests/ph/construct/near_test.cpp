@@ -172,7 +172,7 @@ TEST_CASE("near: a preimage is found that has a complex factor but for a little"
 }
 
 TEST_CASE("near: corners of the preimage") {
-  const auto from = [](std::vector<RationalQuaternion> b) {
+  const auto from = [](const std::vector<RationalQuaternion>& b) {
     Quaternion<std::vector<Rational>> lists;
     for (const auto& a : b) {
       lists.u.push_back(a.u);

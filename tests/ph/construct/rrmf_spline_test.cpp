@@ -119,7 +119,7 @@ TEST_CASE(
     const Rational t(k, 4);
     data.points.push_back({t, t * t + t * t * t / 5, t * t * t / 3});
     data.derivatives.push_back({1, 2 * t + 3 * t * t / 5, t * t});
-    data.parameters.push_back(k);
+    data.parameters.emplace_back(k);
   }
   const Deviation asked{power_of_ten(-15), power_of_ten(-15)};
   const Construction found = rrmf_spline(data, asked);
