@@ -96,7 +96,7 @@ double place(const Real& t) { return approximate(t.enclose(64)); }
 bool is_left(const DomainBoundary& boundary, std::size_t piece, double t) {
   return std::ranges::any_of(boundary.branches, [&](const TrimmedBranch& branch) {
     return std::ranges::any_of(branch.parts, [&](const OffsetPart& part) {
-      const auto [low, high] = std::minmax(place(part.from), place(part.to));
+      const auto [low, high] = std::minmax({place(part.from), place(part.to)});
       return part.piece == piece && low <= t && t <= high;
     });
   });
