@@ -68,7 +68,7 @@ def test_no_call_keeps_what_it_took(name):
     begin = time.process_time()
     use(2)
     calls = MULTIPLIER * max(2, min(50, int(0.01 / (time.process_time() - begin))))
-    for _ in range(10):  # what FLINT keeps for each thread grows until it is enough
+    for _ in range(30):  # what FLINT keeps for each thread grows until it is enough
         bytes_before, blocks_before = in_use()
         use(calls)
         more_bytes, more_blocks = (after - before for after, before in zip(in_use(), (bytes_before, blocks_before)))

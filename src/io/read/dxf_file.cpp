@@ -400,7 +400,7 @@ void DxfDrawing::read(const std::vector<DxfEntity>& entities, const Insertion& i
 bool is_dxf_file(std::string_view text) {
   const auto take = [&] { return trimmed(take_line(text)); };
   for (std::string_view code = take(); code == "999"; code = take()) take();
-  return text.size() > 0 && take() == "SECTION";
+  return !text.empty() && take() == "SECTION";
 }
 
 PointCurve read_dxf(std::string_view text, const FileReading& reading, const CurveLimits& limits) {

@@ -8,7 +8,7 @@ namespace phrame::inline v0 {
 /// A constant of Python: strings, numbers, True and False, tuples and lists.
 struct PythonLiteral {
   enum class Kind { text, number, truth, sequence } kind;
-  std::string text = "";  ///< of a truth "True" or "False", of a sequence "(" or "["
+  std::string text{};  ///< of a truth "True" or "False", of a sequence "(" or "["
   std::size_t number = 0;
   std::vector<PythonLiteral> items = {};
 };

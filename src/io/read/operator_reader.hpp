@@ -15,6 +15,9 @@ namespace phrame::inline v0 {
 /// is the stack of operations that wait for their right operands. A derived class has the stack of
 /// operands, whatever they are, and is called for each operation as soon as its operands are known.
 class OperatorReader {
+ public:
+  virtual ~OperatorReader() = default;
+
  protected:
   /// `operands` is what may begin one, for messages: "a number or \"(\"". Without a given variable
   /// the first name that is taken for one is it; "" says that there is none.
@@ -24,7 +27,6 @@ class OperatorReader {
         operand_names_(operands),
         variable_(variable.value_or("")),
         variable_is_given_(variable.has_value()) {}
-  virtual ~OperatorReader() = default;
 
   /// All of the text is one operand at last. Throws InputError.
   void read();

@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text, std::string_view characters) {
 
 /// Where the field ends that the line begins with, npos at its end; separators in quotes are none.
 std::size_t end_of_field(std::string_view line, std::string_view separators) {
-  const auto quote = line.find_first_not_of(" ");
+  const auto quote = line.find_first_not_of(' ');
   if (quote == std::string_view::npos || line[quote] != '"') return line.find_first_of(separators);
   auto close = line.find('"', quote + 1);
   while (close != std::string_view::npos && line.substr(close + 1).starts_with('"'))

@@ -34,9 +34,9 @@ JsonOutput json_of(const BoundaryEnd& end) {
   return {{"t", json_of(end.t, end.rounded)}, {"point", {json_of(end.at[0]), json_of(end.at[1])}}};
 }
 
-std::string write_named(const std::string& name, std::vector<Path> paths) {
+std::string write_named(const std::string& name, const std::vector<Path>& paths) {
   std::vector<NamedPath> named;
-  for (Path& path : paths) named.emplace_back(name, std::move(path));
+  for (const Path& path : paths) named.emplace_back(name, path);
   return write_paths(named);
 }
 

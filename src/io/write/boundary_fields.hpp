@@ -22,6 +22,6 @@ std::string in_words(const BoundaryEnd& end, const std::string& before, Notation
 std::string point_in_words(const BoundaryEnd& end, Notation notation);
 JsonOutput json_of(const BoundaryEnd& end);
 /// As curve files, each with that name.
-std::string write_named(const std::string& name, std::vector<Path> paths);
+std::string write_named(const std::string& name, const std::vector<Path>& paths);
 
 }  // namespace phrame
