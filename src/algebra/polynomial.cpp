@@ -177,6 +177,10 @@ Polynomial exact_quotient(const Polynomial& a, const Polynomial& b) {
 
 Integer denominator(const Polynomial& p) { return Integer(fmpq_poly_denref(p.raw())); }
 
+Polynomial lcm(const Polynomial& a, const Polynomial& b) {
+  return a * exact_quotient(b, gcd(a, b));
+}
+
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   if (a.degree() == 0 || b.degree() == 0) return {1};
   flint::FmpzPoly p = integer_numerator(a);

@@ -86,6 +86,8 @@ PHRAME_API Integer denominator(const Polynomial& p);
 /// The greatest common divisor with coprime integer coefficients and a positive leading one;
 /// gcd(0, 0) = 0.
 PHRAME_API Polynomial gcd(const Polynomial& a, const Polynomial& b);
+/// a·b/gcd(a, b), for a, b ≠ 0.
+PHRAME_API Polynomial lcm(const Polynomial& a, const Polynomial& b);
 
 /// What extended_gcd() finds.
 struct ExtendedGcd {

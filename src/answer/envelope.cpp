@@ -81,13 +81,12 @@ void add_boundary(const DomainBoundary& boundary, long digits, EnvelopeAnswer& a
 
 EnvelopeAnswer answer(const NamedAxis& axis, const EnvelopeQuery& query) {
   EnvelopeAnswer made{axis.name, {}, 0, {}, query.trim, {}, {}};
-  const Envelope whole = envelope(axis.segments);
-  made.greatest_radius = greatest_radius(whole.axis);
-  for (const MinkowskiCurve& curve : whole.axis) made.segments.push_back(described(curve));
   if (query.trim)
     add_boundary(domain_boundary(axis.segments), query.digits, made);
   else
-    made.paths = paths(whole);
+    made.paths = paths(envelope(axis.segments));
+  made.greatest_radius = greatest_radius(axis.segments);
+  for (const MinkowskiCurve& curve : axis.segments) made.segments.push_back(described(curve));
   return made;
 }
 

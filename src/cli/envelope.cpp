@@ -1,11 +1,7 @@
 #include "phrame/answer/envelope.hpp"
 
-#include "phrame/answer/offset_drawing.hpp"
-#include "phrame/cli/command.hpp"
+#include "phrame/cli/boundary_printer.hpp"
 #include "phrame/io/read/axis_file.hpp"
-#include "phrame/io/write/answers.hpp"
-#include "phrame/io/write/nurbs.hpp"
-#include "phrame/io/write/svg.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -20,31 +16,12 @@ struct EnvelopeOptions {
   long digits = 17;
 };
 
-std::string write_envelope_nurbs(const EnvelopeAnswer& answer) {
-  return write_nurbs(nurbs(answer));
-}
-
 void run(const EnvelopeOptions& options) {
-  const auto print =
-      choose<std::string (*)(const EnvelopeAnswer&)>("--print", options.print,
-                                                     {{"text", to_text},
-                                                      {"json", to_json},
-                                                      {"latex", to_latex},
-                                                      {"curve", write_envelope},
-                                                      {"nurbs", write_envelope_nurbs}});
+  const BoundaryPrinter<EnvelopeAnswer> printer(options.print, write_envelope);
   const std::string text = read_file(options.axis);
   const NamedAxis axis =
       at_place(name_of_file(options.axis), ":", [&] { return read_axis(text, options.limits); });
-  const EnvelopeAnswer found = answer(axis, {options.trim, options.digits});
-  const bool is_curve = print == write_envelope || print == write_envelope_nurbs;
-  if (!options.output.empty()) {
-    const std::string end = ending(options.output);
-    write_output(options.output, end == "svg"   ? write_svg(drawing(found))
-                                 : end == "dxf" ? write_dxf(nurbs(found))
-                                 : is_curve     ? print(found)
-                                                : write_envelope(found));
-  }
-  if (options.output.empty() || !is_curve) options.length.write("-", print(found));
+  printer.write(answer(axis, {options.trim, options.digits}), options.output, options.length);
 }
 
 }  // namespace

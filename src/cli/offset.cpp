@@ -1,11 +1,8 @@
 #include "phrame/answer/offset_check.hpp"
 
-#include "phrame/cli/command.hpp"
+#include "phrame/cli/boundary_printer.hpp"
 #include "phrame/cli/exchange.hpp"
-#include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/names.hpp"
-#include "phrame/io/write/nurbs.hpp"
-#include "phrame/io/write/svg.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -23,8 +20,6 @@ struct OffsetOptions {
   std::optional<std::string> given;
   std::string tolerance = "1e-6";
 };
-
-std::string write_offset_nurbs(const OffsetAnswer& answer) { return write_nurbs(nurbs(answer)); }
 
 OffsetQuery query(const OffsetOptions& options) {
   OffsetQuery query{{},
@@ -109,23 +104,9 @@ void run_check(const OffsetOptions& options) {
 
 void run(const OffsetOptions& options) {
   if (options.given) return run_check(options);
-  const auto print = choose<std::string (*)(const OffsetAnswer&)>("--print", options.print,
-                                                                  {{"text", to_text},
-                                                                   {"json", to_json},
-                                                                   {"latex", to_latex},
-                                                                   {"curve", write_offsets},
-                                                                   {"nurbs", write_offset_nurbs}});
+  const BoundaryPrinter<OffsetAnswer> printer(options.print, write_offsets);
   const OffsetQuery asked = query(options);
-  const OffsetAnswer found = answer(read_curve(options.curve), asked);
-  const bool is_curve = print == write_offsets || print == write_offset_nurbs;
-  if (!options.output.empty()) {
-    const std::string end = ending(options.output);
-    write_output(options.output, end == "svg"   ? write_svg(drawing(found))
-                                 : end == "dxf" ? write_dxf(nurbs(found))
-                                 : is_curve     ? print(found)
-                                                : write_offsets(found));
-  }
-  if (options.output.empty() || !is_curve) options.length.write("-", print(found));
+  printer.write(answer(read_curve(options.curve), asked), options.output, options.length);
 }
 
 }  // namespace

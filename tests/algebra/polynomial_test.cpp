@@ -80,6 +80,7 @@ TEST_CASE("polynomial: law: the gcd divides both, and cofactors have none") {
     const Polynomial g = gcd(a, b);
     CHECK((g % f).is_zero());
     CHECK(gcd(exact_quotient(a, g), exact_quotient(b, g)) == Polynomial{1});
+    CHECK(lcm(a, b) * g == a * b);
     CHECK(g == primitive_part(g));
   });
   CHECK(gcd(Polynomial(), Polynomial()).is_zero());

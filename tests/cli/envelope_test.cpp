@@ -3,6 +3,7 @@
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/axis_file.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "support/refusal.hpp"
 
 namespace envelope_cli_test {
 
@@ -17,13 +18,8 @@ const char* const rectangle = R"({"phrame": "mph/1", "name": "rectangle", "segme
     {"control_points": [[1, 1, 1], [3, 1, 1]]}, {"control_points": [[3, 1, 1], [4, 0, 0]]},
     {"control_points": [[3, 1, 1], [4, 2, 0]]}]})";
 
-std::string reason_of(const std::string& file) {
-  try {
-    read_axis(file);
-  } catch (const InputError& error) {
-    return error.place() + ": " + error.reason();
-  }
-  return "";
+std::string refusal(const std::string& file) {
+  return refusal_of<InputError>([&] { read_axis(file); });
 }
 
 }  // namespace
@@ -74,23 +70,21 @@ TEST_CASE("envelope: control points, coefficients and a preimage are one curve")
 }
 
 TEST_CASE("envelope: bad files are refused in one line, with the place") {
-  CHECK(reason_of(R"({"phrame": "curve/1"})") ==
-        "/phrame: the format is \"mph/1\", not \"curve/1\"");
-  CHECK(reason_of(R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})") ==
+  CHECK(refusal(R"({"phrame": "curve/1"})") == "/phrame: the format is \"mph/1\", not \"curve/1\"");
+  CHECK(refusal(R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})") ==
         "/: this is no Minkowski PH curve: x'^2 + y'^2 - r'^2 is no square: it is 2*(2*t^2 - 2*t + "
         "1) times "
         "a square");
   CHECK(
-      reason_of(
-          R"({"phrame": "mph/1", "segments": [{"control_points": [[0, 0, 1], [3, 4, 6]]}]})") ==
+      refusal(R"({"phrame": "mph/1", "segments": [{"control_points": [[0, 0, 1], [3, 4, 6]]}]})") ==
       "/segments/0: this is no Minkowski PH curve: x'^2 + y'^2 - r'^2 is 0: each disc touches the "
       "next ones from inside, and there is no envelope");
-  CHECK(reason_of(R"({"phrame": "mph/1", "basis": "power", "x": [1], "y": [2], "r": [3]})") ==
+  CHECK(refusal(R"({"phrame": "mph/1", "basis": "power", "x": [1], "y": [2], "r": [3]})") ==
         "/: all discs are one, so that there is no curve");
-  CHECK(reason_of(R"({"phrame": "mph/1", "segments": []})") ==
+  CHECK(refusal(R"({"phrame": "mph/1", "segments": []})") ==
         "/segments: there is at least one segment");
   CHECK(
-      reason_of(
+      refusal(
           R"({"phrame": "mph/1", "basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})") ==
       "/: the key \"start\" is missing");
   const Workshop here;

@@ -27,15 +27,7 @@ Vector<Polynomial> polynomials(const Node& node, const CoefficientBasis& basis) 
 RadialHodograph read_radial_preimage(const Node& node, const CurveLimits& limits,
                                      const MedialAxis& before) {
   const CoefficientBasis basis(node, limits);
-  const Node preimage = node.at("preimage");
-  preimage.require_known_keys({"u", "v", "p", "q"});
-  const std::vector<Node> lists{preimage.at("u"), preimage.at("v"), preimage.at("p"),
-                                preimage.at("q")};
-  basis.require_equal_lengths(preimage, lists);
-  MinkowskiCurve curve{{basis.polynomial(lists[0]), basis.polynomial(lists[1]),
-                        basis.polynomial(lists[2]), basis.polynomial(lists[3])},
-                       {1},
-                       {}};
+  MinkowskiCurve curve{read_components(node.at("preimage"), basis), {1}, {}};
   if (const auto list = node.find("multiplier")) {
     basis.require_list(*list);
     curve.multiplier = basis.polynomial(*list);

@@ -53,8 +53,6 @@ Vector<Rational> read_point(const Node& node) {
   return {coordinates[0], coordinates[1], coordinates[2]};
 }
 
-namespace {
-
 QuaternionPolynomial read_components(const Node& node, const CoefficientBasis& basis) {
   node.require_known_keys({"u", "v", "p", "q"});
   const std::vector<Node> lists{node.at("u"), node.at("v"), node.at("p"), node.at("q")};
@@ -62,6 +60,8 @@ QuaternionPolynomial read_components(const Node& node, const CoefficientBasis& b
   return {basis.polynomial(lists[0]), basis.polynomial(lists[1]), basis.polynomial(lists[2]),
           basis.polynomial(lists[3])};
 }
+
+namespace {
 
 /// An array of arrays of N numbers, transposed to N lists.
 template <std::size_t N>

@@ -26,6 +26,8 @@ class CoefficientBasis {
 
 /// Three numbers.
 Vector<Rational> read_point(const JsonNode& node);
+/// The components of a preimage, at "u", "v", "p" and "q".
+QuaternionPolynomial read_components(const JsonNode& node, const CoefficientBasis& basis);
 /// The text at "phrame".
 std::string format_of(const JsonNode& node);
 void require_format(const JsonNode& node, std::string_view wanted);

@@ -58,11 +58,7 @@ class IgesNumbers {
     std::string text(value);
     std::ranges::replace_if(
         text, [](char c) { return c == 'D' || c == 'd'; }, 'E');
-    try {
-      return parse_short_number(text);
-    } catch (const InputError& error) {
-      entity_.fail(error.reason());
-    }
+    return of_entity(entity_, [&] { return parse_short_number(text); });
   }
   long whole(long least, long most, const char* what) {
     const Rational x = number();
@@ -346,11 +342,9 @@ DrawnCurve IgesCurves::arc(const IgesEntity& entity) const {
   if (out == Vector<Rational>{}) entity.fail("the arc begins in its center");
   const Vector<Rational> x = near_unit(out);
   const Rational radius = dot(out, x);
-  try {
+  return of_entity(entity, [&]() -> DrawnCurve {
     return {arc_between(conic_about(center, {0, 0, 1}, x, {radius, radius}), from, to, true)};
-  } catch (const InputError& error) {
-    entity.fail(error.reason());
-  }
+  });
 }
 
 DrawnCurve IgesCurves::composite(const IgesEntity& entity, int depth) const {

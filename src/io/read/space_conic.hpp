@@ -1,8 +1,19 @@
 #pragma once
+#include "phrame/algebra/error.hpp"
 #include "phrame/io/read/drawn_chain.hpp"
 #include "phrame/ph/curve/ellipse_arc.hpp"
 
 namespace phrame::inline v0 {
+
+/// What `make` throws without a place is said of the entity of a file.
+template <class Entity, class Make>
+auto of_entity(const Entity& entity, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    entity.fail(error.reason());
+  }
+}
 
 /// An ellipse in space, center + a cos φ · x + b sin φ · y, x and y of length 1 and normal to each
 /// other: exactly, or within 2^−ellipse_bits where their lengths are irrational.

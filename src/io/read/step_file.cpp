@@ -62,16 +62,6 @@ class StepCurves {
   bool is_in_degrees_;
 };
 
-/// What `make` throws without a place is said of the entity.
-template <class Make>
-auto of_entity(const Part21Entity& entity, const Make& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    entity.fail(error.reason());
-  }
-}
-
 [[noreturn]] void fail_for_kind(const Entities& entities) {
   std::string names;
   for (const Part21Entity& entity : entities)

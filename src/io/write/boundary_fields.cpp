@@ -24,9 +24,9 @@ std::string in_words(const BoundaryEnd& end, const std::string& before, Notation
                                  : at(in_words(end.rounded, Notation::unicode), notation));
 }
 
-std::string point_in_words(const BoundaryEnd& end, Notation notation) {
+std::string point_in_words(const std::array<Decimal, 2>& point, Notation notation) {
   return formula(
-      fmt::format("({}, {})", with_minus_sign(end.at[0].value), with_minus_sign(end.at[1].value)),
+      fmt::format("({}, {})", with_minus_sign(point[0].value), with_minus_sign(point[1].value)),
       notation);
 }
 

@@ -19,7 +19,7 @@ Value paths_value(const std::vector<Path>& paths);
 /// "the join at t = 1/2".
 std::string in_words(const BoundaryEnd& end, const std::string& before, Notation notation);
 /// "(1.5, 2)".
-std::string point_in_words(const BoundaryEnd& end, Notation notation);
+std::string point_in_words(const std::array<Decimal, 2>& point, Notation notation);
 JsonOutput json_of(const BoundaryEnd& end);
 /// As curve files, each with that name.
 std::string write_named(const std::string& name, const std::vector<Path>& paths);

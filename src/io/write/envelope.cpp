@@ -87,7 +87,7 @@ Fields fields(const EnvelopeAnswer::Branch& branch) {
               ? fmt::format("{} to {}", in_words(from, words_before(kind), notation),
                             in_words(to, "", notation))
               : fmt::format("{} from {} to {}", in_words(from, words_before(kind), notation),
-                            point_in_words(from, notation), point_in_words(to, notation)));
+                            point_in_words(from.at, notation), point_in_words(to.at, notation)));
     return list;
   };
   const auto json = [](const EnvelopeAnswer::Piece& x) -> JsonOutput {

@@ -171,7 +171,7 @@ Value stretches_value(const OffsetAnswer::Branch& branch) {
           "from {} to {}", in_words(pieces[first].from, is_join_text(pieces[first]), notation),
           in_words(pieces[k].to, is_join_text(pieces[k]), notation)));
       if (k + 1 < pieces.size() || (branch.is_closed && is_cut_behind(k)))
-        list.back() += ", cut in " + point_in_words(pieces[k].to, notation);
+        list.back() += ", cut in " + point_in_words(pieces[k].to.at, notation);
       first = k + 1;
     }
     return list;

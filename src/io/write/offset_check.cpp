@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/boundary_fields.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/names.hpp"
@@ -14,11 +15,6 @@ using Check = OffsetCheckAnswer;
 
 std::string at_words(const Check::Place& x, const char* t) {
   return fmt::format("{}{} = {}", x.is_join ? "the join at " : "", t, with_minus_sign(x.t.value));
-}
-
-std::string point_words(const Check::Place& x) {
-  return fmt::format("({}, {})", with_minus_sign(x.point[0].value),
-                     with_minus_sign(x.point[1].value));
 }
 
 JsonOutput json_of(const Check::Place& x) {
@@ -45,7 +41,7 @@ JsonOutput json_of(const Check::Side& side) {
 std::string side_words(const Check::Side& side, const char* t) {
   return fmt::format("{} to {}, at {}: {}", lower_bound_text(side.at_least, 3),
                      upper_bound_text(side.at_most, 3), at_words(side.farthest, t),
-                     point_words(side.farthest));
+                     point_in_words(side.farthest.point, Notation::unicode));
 }
 
 /// The worst ones.
@@ -55,7 +51,8 @@ std::vector<std::string> stretch_words(const Check::Side& side, const char* t) {
   for (const Check::Stretch& x : side.stretches) {
     if (rows.size() == most) break;
     rows.push_back(fmt::format("from {} to {}: {} at {}{}", at_words(x.from, t), at_words(x.to, t),
-                               lower_bound_text(x.at_least, 3), point_words(x.farthest),
+                               lower_bound_text(x.at_least, 3),
+                               point_in_words(x.farthest.point, Notation::unicode),
                                x.is_proved ? "" : ", undecided"));
   }
   if (side.count > rows.size())

@@ -106,8 +106,7 @@ std::optional<RationalCurve> rational_form(const Vector<Formula>& position, cons
     if (!f) return std::nullopt;
     require_no_pole(*f, closed_interval(std::min(*a, *b), std::max(*a, *b)), "xyz"[k], variable);
     r[k] = compose(*f, Polynomial{*a, *b - *a});
-    const Polynomial& below = r[k].denominator();
-    weight *= exact_quotient(below, gcd(below, weight));
+    weight = lcm(weight, r[k].denominator());
   }
   if (weight.degree() > most_degree) return std::nullopt;
   Vector<Polynomial> numerator;

@@ -29,8 +29,7 @@ void refuse_poles(const Polynomial& denominator, const char* what) {
 Curve over_one_weight(const QuaternionPolynomial& preimage, const RationalFunction& multiplier,
                       const Vector<RationalFunction>& r) {
   Polynomial weight{1};
-  for (const RationalFunction& x : r)
-    weight *= exact_quotient(x.denominator(), gcd(x.denominator(), weight));
+  for (const RationalFunction& x : r) weight = lcm(weight, x.denominator());
   // f·W² as a polynomial.
   weight *= (multiplier * RationalFunction(weight * weight)).denominator();
   if (weight(0) < 0) weight = -weight;

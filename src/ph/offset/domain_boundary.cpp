@@ -52,23 +52,26 @@ Rational parameter(const EnvelopePiece& piece, const Rational& t) {
   return piece.kind == EnvelopePiece::Kind::left ? 1 - t : t;
 }
 
-OffsetBranches branches_of(const Envelope& envelope) {
-  OffsetBranches branches{{}, envelope.behind};
-  for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
-  return branches;
+/// Of each segment the start and the end.
+std::vector<AxisEnd> ends_of(const MedialAxis& axis) {
+  std::vector<AxisEnd> ends;
+  for (const MinkowskiCurve& curve : axis)
+    for (const long t : {0L, 1L}) ends.push_back(end_of(curve, t));
+  return ends;
+}
+
+/// The disc of a cap.
+const Vector<Rational>& disc_of(const EnvelopePiece& cap, const std::vector<AxisEnd>& ends) {
+  return ends[2 * cap.segment + (cap.kind == EnvelopePiece::Kind::end_cap ? 1 : 0)].disc;
 }
 
 /// Where sides end on caps.
-std::vector<BoundaryEvent> events_of(const Envelope& envelope) {
-  std::vector<AxisEnd> ends;
-  for (const MinkowskiCurve& curve : envelope.axis)
-    for (const long t : {0L, 1L}) ends.push_back(end_of(curve, t));
+std::vector<BoundaryEvent> events_of(const Envelope& envelope, const std::vector<AxisEnd>& ends) {
   std::vector<BoundaryEvent> events;
   for (std::size_t k = 0; k < envelope.pieces.size(); ++k) {
     const EnvelopePiece& piece = envelope.pieces[k];
     if (!is_cap(piece)) continue;
-    const bool is_last = piece.kind == EnvelopePiece::Kind::end_cap;
-    const Vector<Rational>& disc = ends[2 * piece.segment + (is_last ? 1 : 0)].disc;
+    const Vector<Rational>& disc = disc_of(piece, ends);
     for (const AxisEnd& end : ends) {
       if (end.disc != disc) continue;
       for (const PlaneDirection& n : {end.right, end.left}) {
@@ -98,10 +101,12 @@ DomainBoundary domain_boundary(MedialAxis axis) {
   }
   const DiscCover discs(tracks);
   const auto& pieces = whole.pieces;
+  std::vector<Polynomial> s;  // at the parameter of each piece
   std::vector<Folds> folds;
   for (const EnvelopePiece& piece : pieces) {
-    const Polynomial s = spacelike_root(whole.axis[piece.segment]);
-    folds.emplace_back(piece, piece.kind == EnvelopePiece::Kind::left ? compose(s, {1, -1}) : s);
+    s.push_back(spacelike_root(whole.axis[piece.segment]));
+    if (piece.kind == EnvelopePiece::Kind::left) s.back() = compose(s.back(), {1, -1});
+    folds.emplace_back(piece, s.back());
   }
   const auto disc_around = [&](std::size_t k, const Rational& t) {
     const EnvelopePiece& piece = pieces[k];
@@ -110,12 +115,12 @@ DomainBoundary domain_boundary(MedialAxis axis) {
                                                                             : Polynomial{1, -1};
     return discs.disc_around(point(piece.curve, t), piece.segment, known);
   };
-  BoundaryCurves curves{branches_of(whole), pieces.size(), {}, events_of(whole), true};
+  const std::vector<AxisEnd> ends = ends_of(whole.axis);
+  BoundaryCurves curves{branches_of(whole), pieces.size(), {}, events_of(whole, ends), true};
   for (const EnvelopePiece& piece : pieces) {
     curves.centers.emplace_back();
     if (!is_cap(piece)) continue;
-    const long t = piece.kind == EnvelopePiece::Kind::end_cap ? 1 : 0;
-    const auto [x, y, radius] = end_of(whole.axis[piece.segment], t).disc;
+    const auto& [x, y, radius] = disc_of(piece, ends);
     curves.centers.back() = Vector<Rational>{x, y, 0};
   }
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
@@ -129,8 +134,7 @@ DomainBoundary domain_boundary(MedialAxis axis) {
                                    disc->radius);
   };
   curves.is_backward = [&](std::size_t k, const Rational& t) {
-    return !is_cap(pieces[k]) &&
-           spacelike_root(whole.axis[pieces[k].segment])(parameter(pieces[k], t)) < 0;
+    return !is_cap(pieces[k]) && s[k](t) < 0;
   };
   TrimmedCurves left = trimmed(curves, "domain_boundary");
   result.branches = std::move(left.branches);

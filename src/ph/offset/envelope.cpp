@@ -191,10 +191,6 @@ Envelope envelope(MedialAxis axis) {
   return EnvelopeMaker(std::move(axis)).make();
 }
 
-std::vector<Path> paths(const Envelope& envelope) {
-  OffsetBranches branches{{}, envelope.behind};
-  for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
-  return joined_paths(branches);
-}
+std::vector<Path> paths(const Envelope& envelope) { return joined_paths(branches_of(envelope)); }
 
 }  // namespace phrame

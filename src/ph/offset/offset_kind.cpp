@@ -152,8 +152,7 @@ TwoSidedOffset two_sided_offset(const RationalCurve& curve, const OffsetKind& ki
   };
   const RationalFunction x = coordinate(0, curve.direction()[1]);
   const RationalFunction v = coordinate(1, Rational(-1) * curve.direction()[0]);
-  const Polynomial w =
-      exact_quotient(x.denominator() * v.denominator(), gcd(x.denominator(), v.denominator()));
+  const Polynomial w = lcm(x.denominator(), v.denominator());
   TwoSidedOffset made{t,
                       {x.numerator() * exact_quotient(w, x.denominator()),
                        v.numerator() * exact_quotient(w, v.denominator())},

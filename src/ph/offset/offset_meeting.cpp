@@ -125,6 +125,12 @@ OffsetBranches branches_of(const Offset& offset) {
   return branches;
 }
 
+OffsetBranches branches_of(const Envelope& envelope) {
+  OffsetBranches branches{{}, envelope.behind};
+  for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
+  return branches;
+}
+
 std::vector<Path> joined_paths(const OffsetBranches& branches) {
   const std::size_t count = branches.curves.size();
   std::vector<std::size_t> next(count, no_segment);

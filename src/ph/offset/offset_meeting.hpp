@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/ph/curve/crossings.hpp"
+#include "phrame/ph/offset/envelope.hpp"
 #include "phrame/ph/offset/offset.hpp"
 
 namespace phrame::inline v0 {
@@ -15,13 +16,15 @@ Interval interval_of(const CurvePart& part);
 std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
                                    const Interval& where);
 
-/// The pieces of one or several offsets as curves.
+/// The pieces of an envelope, or of one or several offsets, as curves.
 struct OffsetBranches {
   std::vector<RationalCurve> curves;  ///< with H along e₁
   std::vector<std::size_t> behind;    ///< as CurveSeries has it
 };
-/// Those of one.
+/// @{ Those of one.
 OffsetBranches branches_of(const Offset& offset);
+OffsetBranches branches_of(const Envelope& envelope);
+/// @}
 /// In as few paths as possible: cut where nothing is behind, and where one turns back at a joint.
 std::vector<Path> joined_paths(const OffsetBranches& branches);
 /// The same of these, which are the series, as far as it is asked for.

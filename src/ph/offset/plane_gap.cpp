@@ -12,6 +12,7 @@
 #include <queue>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/curve_arc.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -67,22 +68,17 @@ double greatest_difference(const Bezier& c, const Bezier& b, const std::array<do
   return most;
 }
 
-struct Box {
-  Point lower;
-  Point upper;
-};
-Box hull_of(const Box& a, const Box& b) {
-  return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
-          {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
-}
-Box box_of(const Bezier& c) {
-  Box box{c[0], c[0]};
-  for (const Point& p : c) box = hull_of(box, {p, p});
+PlaneBox around(const Point& p) { return {DoubleInterval{p.x, p.x}, DoubleInterval{p.y, p.y}}; }
+PlaneBox box_of(const Bezier& c) {
+  PlaneBox box = around(c[0]);
+  for (const Point& p : c) box = hull_of(box, around(p));
   return box;
 }
-double distance(const Point& p, const Box& box) {
-  return size({std::max({box.lower.x - p.x, p.x - box.upper.x, 0.0}),
-               std::max({box.lower.y - p.y, p.y - box.upper.y, 0.0})});
+double distance(const Point& p, const PlaneBox& box) {
+  const auto gap = [](double x, const DoubleInterval& range) {
+    return std::max({range.lower - x, x - range.upper, 0.0});
+  };
+  return size({gap(p.x, box[0]), gap(p.y, box[1])});
 }
 
 /// The nearest place to a point.
@@ -132,10 +128,10 @@ class NearestParts {
       boxes_[node] = box_of(parts_[order_[first]]);
       return;
     }
-    Box centres{parts_[order_[first]][0], parts_[order_[first]][0]};
+    PlaneBox starts = around(parts_[order_[first]][0]);
     for (std::size_t k = first; k < last; ++k)
-      centres = hull_of(centres, {parts_[order_[k]][0], parts_[order_[k]][0]});
-    const bool by_x = centres.upper.x - centres.lower.x > centres.upper.y - centres.lower.y;
+      starts = hull_of(starts, around(parts_[order_[k]][0]));
+    const bool by_x = starts[0].upper - starts[0].lower > starts[1].upper - starts[1].lower;
     const std::size_t middle = first + (last - first) / 2;
     const auto at = [&](std::size_t k) { return order_.begin() + static_cast<long>(k); };
     std::nth_element(at(first), at(middle), at(last), [&](std::size_t i, std::size_t j) {
@@ -184,7 +180,7 @@ class NearestParts {
   std::vector<Bezier> parts_;
   double floor_;
   std::vector<std::size_t> order_;
-  std::vector<Box> boxes_;  ///< as in a heap
+  std::vector<PlaneBox> boxes_;  ///< as in a heap
 };
 
 /// A part of a part of a.
