@@ -59,10 +59,6 @@ Curve rational_ph_curve(const QuaternionPolynomial& preimage, const RationalFunc
   return over_one_weight(preimage, multiplier, r);
 }
 
-RationalFunction rational_multiplier(const Curve& curve) {
-  return {curve.multiplier(), pow(curve.weight(), 2)};
-}
-
 Curve curve_of_tangents(const TangentLines& lines) {
   const auto& [a, b, p] = lines;
   if (!gcd(a, b).is_constant()) throw DomainError("tangents: a and b have a common factor");

@@ -12,8 +12,6 @@ namespace phrame::inline v0 {
 PHRAME_API Curve rational_ph_curve(const QuaternionPolynomial& preimage,
                                    const RationalFunction& multiplier,
                                    const Vector<Rational>& start = {});
-/// f of r′ = f · A i A*, in lowest terms.
-PHRAME_API RationalFunction rational_multiplier(const Curve& curve);
 
 /// A plane curve by its tangents n·r = p, the envelope of a family of lines.
 struct TangentLines {

@@ -123,8 +123,10 @@ TEST_CASE("rational PH: parts, motions and ends are those of the positions") {
                                    middle[2] * rotated_k(u) + Vector<Rational>{1, 2, 3};
     CHECK(point(PhSegment(moved).by_positions(), Rational(1, 2)) == image);
     CHECK(point(PhSegment(turned_over(moved)).by_positions(), Rational(1, 2)) == image);
-    CHECK(rational_ph_curve(curve.preimage(), rational_multiplier(curve), curve.start()).weight() ==
-          curve.weight());
+    CHECK(rational_ph_curve(curve.preimage(),
+                            RationalFunction(curve.multiplier(), pow(curve.weight(), 2)),
+                            curve.start())
+              .weight() == curve.weight());
   });
 }
 
