@@ -232,7 +232,7 @@ def with_opencascade():
     from OCP.GC import GC_MakeArcOfCircle, GC_MakeSegment
     from OCP.GCPnts import GCPnts_AbscissaPoint
     from OCP.GeomAbs import GeomAbs_BSplineCurve
-    from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Ellipse
+    from OCP.Geom import Geom_BSplineCurve, Geom_Circle, Geom_Ellipse, Geom_Hyperbola, Geom_Parabola
     from OCP.IGESControl import IGESControl_Reader, IGESControl_Writer
     from OCP.STEPControl import STEPControl_AsIs, STEPControl_Reader, STEPControl_Writer
     from OCP.TopAbs import TopAbs_EDGE
@@ -297,9 +297,11 @@ def with_opencascade():
         "large": edge(Geom_Circle(tilted, 5.0), 0.3, 5.1),
         "circle": edge(Geom_Circle(tilted, 5.0)),
         "ellipse": edge(Geom_Ellipse(tilted, 5.0, 2.0), 0.3, 2.1),
+        "parabola": edge(Geom_Parabola(tilted, 2.0), -1.0, 5.0),
+        "hyperbola": edge(Geom_Hyperbola(tilted, 3.0, 2.0), -1.0, 1.5),
         "cylinder": BRepPrimAPI_MakeCylinder(3.0, 10.0).Shape(),
     }
-    ways = {"nurbs": ("native", [0, 0.125, 0.3, 0.875, 1]), "part": ("native", [0.2, 0.25, 0.3, 0.75, 0.9]), "ellipse": ("fraction", [0, 1])}
+    ways = {"nurbs": ("native", [0, 0.125, 0.3, 0.875, 1]), "part": ("native", [0.2, 0.25, 0.3, 0.75, 0.9]), **{conic: ("fraction", [0, 1]) for conic in ("ellipse", "parabola", "hyperbola")}}
     for name, shape in shapes.items():
         by, at = ways.get(name, ("fraction", [0, 0.125, 0.4375, 0.875, 1]))
         step = STEPControl_Writer()
@@ -308,7 +310,7 @@ def with_opencascade():
         for pick, which in {"cylinder": [("#55", 1)]}.get(name, [(None, None)]):
             points, length = read_back(STEPControl_Reader(), f"occ-{name}.step", at, which)
             entry(f"occ-{name}.step", program, points, at, by, length=length, within=1e-11, **({"pick": pick} if pick else {}))
-        if name in ("ellipse", "cylinder"):
+        if name == "cylinder":
             continue
         iges = IGESControl_Writer()
         iges.AddShape(shape)

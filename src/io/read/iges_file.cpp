@@ -14,6 +14,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/number.hpp"
+#include "phrame/io/read/plane_conic.hpp"
 #include "phrame/io/read/space_conic.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/transform.hpp"
@@ -192,14 +193,14 @@ IgesNumbers IgesFile::parameters(const IgesEntity& entity) const {
   entity.fail("its parameters have no end");
 }
 
-constexpr std::string_view curve_types = "126, 112, 110, 106, 102, 100";
+constexpr std::string_view curve_types = "126, 112, 110, 106, 104, 102, 100";
 
 /// Of 106 the forms 11 to 13 and 63 are lines through points; others are points, and what is drawn
 /// of dimensions and sections.
 bool is_curve(const IgesEntity& entity) {
   if (entity.type == 106) return (entity.form >= 11 && entity.form <= 13) || entity.form == 63;
-  return entity.type == 126 || entity.type == 112 || entity.type == 110 || entity.type == 102 ||
-         entity.type == 100;
+  return entity.type == 126 || entity.type == 112 || entity.type == 110 || entity.type == 104 ||
+         entity.type == 102 || entity.type == 100;
 }
 
 class IgesCurves {
@@ -214,6 +215,7 @@ class IgesCurves {
   DrawnCurve cubics(const IgesEntity& entity) const;
   DrawnCurve polyline(const IgesEntity& entity) const;
   DrawnCurve arc(const IgesEntity& entity) const;
+  DrawnCurve conic(const IgesEntity& entity) const;
   DrawnCurve composite(const IgesEntity& entity, int depth) const;
 
   static constexpr int deepest_ = 32;
@@ -347,6 +349,40 @@ DrawnCurve IgesCurves::arc(const IgesEntity& entity) const {
   });
 }
 
+// Six coefficients, z, and in that plane start and end, counterclockwise for ellipses. The form
+// says which conic it is, where it is not 0; for a parabola that is turned, rounded coefficients do
+// not.
+DrawnCurve IgesCurves::conic(const IgesEntity& entity) const {
+  IgesNumbers in = file_.parameters(entity);
+  PlaneConic conic;
+  for (Rational& c : conic) c = in.number();
+  const Rational z = in.number();
+  const auto place = [&] {
+    const Rational x = in.number();
+    return PlaneVector{x, in.number()};
+  };
+  const PlaneVector from = place();
+  const PlaneVector to = place();
+  constexpr long ellipse = 1;
+  constexpr long parabola = 3;
+  if (entity.form < 0 || entity.form > parabola)
+    entity.fail(fmt::format("the form of a conic is 0 to 3, not {}", entity.form));
+  const Rational sign = discriminant(conic);
+  const bool is_ellipse = entity.form == 0 ? sign < 0 : entity.form == ellipse;
+  const bool is_parabola = entity.form == 0 ? sign == 0 : entity.form == parabola;
+  return of_entity(entity, [&]() -> DrawnCurve {
+    const auto at_height = [&](const PlaneVector& p) { return Vector<Rational>{p[0], p[1], z}; };
+    for (const PlaneVector& p : {from, to})
+      if (!points_meet(at_height(p), at_height(moved_onto(conic, p))))
+        throw InputError("an end is not on the curve");
+    DrawnCurve curve{is_ellipse ? closed_arc(conic, from, to)
+                                : CurvePieces{open_arc(conic, is_parabola, from, to)}};
+    for (RationalBezier& piece : curve.pieces)
+      for (Vector<Rational>& p : piece.points) p[2] = z;
+    return curve;
+  });
+}
+
 DrawnCurve IgesCurves::composite(const IgesEntity& entity, int depth) const {
   IgesNumbers in = file_.parameters(entity);
   DrawnCurve curve;
@@ -370,6 +406,8 @@ DrawnCurve IgesCurves::curve(const IgesEntity& entity, int depth) const {
     found.pieces = {{{from, in.vector()}}};
   } else if (entity.type == 100) {
     found = arc(entity);
+  } else if (entity.type == 104) {
+    found = conic(entity);
   } else if (entity.type == 102) {
     found = composite(entity, depth);
   } else if (entity.type == 106 && is_curve(entity)) {

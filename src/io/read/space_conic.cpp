@@ -1,6 +1,8 @@
 #include "phrame/io/read/space_conic.hpp"
 
+#include "phrame/algebra/elementary.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/plane_conic.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -16,7 +18,51 @@ CurvePieces in_space(const SpaceConic& conic, CurvePieces pieces) {
   return pieces;
 }
 
+/// In the coordinates x and y, where the conic is that of these coefficients.
+RationalBezier open_arc_between(const SpaceConic& conic, const PlaneConic& plane, bool is_parabola,
+                                const Vector<Rational>& from, const Vector<Rational>& to) {
+  const auto in_plane = [&](const Vector<Rational>& place) {
+    const Vector<Rational> out = place - conic.center;
+    const PlaneVector p{dot(out, conic.x), dot(out, conic.y)};
+    const PlaneVector q = moved_onto(plane, p);
+    if (!points_meet(place, in_space(conic, {q[0], q[1], 0})) || (!is_parabola && q[0] <= 0))
+      throw InputError("an end is not on the curve");
+    return p;
+  };
+  CurvePieces pieces =
+      in_space(conic, {open_arc(plane, is_parabola, in_plane(from), in_plane(to))});
+  pieces.front().points.front() = from;
+  pieces.front().points.back() = to;
+  return pieces.front();
+}
+
 }  // namespace
+
+RationalBezier hyperbola_between(const SpaceConic& conic, const Vector<Rational>& from,
+                                 const Vector<Rational>& to) {
+  const auto& [a, b] = conic.semiaxes;
+  return open_arc_between(conic, {1 / (a * a), 0, -1 / (b * b), 0, 0, -1}, false, from, to);
+}
+
+RationalBezier parabola_between(const SpaceConic& conic, const Vector<Rational>& from,
+                                const Vector<Rational>& to) {
+  return open_arc_between(conic, {0, 0, 1, -4 * conic.semiaxes[0], 0, 0}, true, from, to);
+}
+
+Vector<Rational> on_parabola(const SpaceConic& conic, const Rational& u) {
+  const Rational& a = conic.semiaxes[0];
+  return in_space(conic, {a * u * u, 2 * a * u, 0});
+}
+
+Vector<Rational> on_hyperbola(const SpaceConic& conic, const Rational& u) {
+  if (abs(u) > 1000) throw InputError("the parameter of a hyperbola is beyond 1000");
+  constexpr long bits = ellipse_bits + 20;
+  const Rational power = elementary("exp", Real(Rational(abs(u))), true).enclose(bits).midpoint();
+  const Rational inverse = 1 / power;
+  const auto& [a, b] = conic.semiaxes;
+  return in_space(
+      conic, {a * (power + inverse) / 2, b * (u < 0 ? inverse - power : power - inverse) / 2, 0});
+}
 
 Vector<Rational> near_unit(const Vector<Rational>& v) {
   const Rational square = dot(v, v);

@@ -15,8 +15,9 @@ auto of_entity(const Entity& entity, const Make& make) {
   }
 }
 
-/// An ellipse in space, center + a cos φ · x + b sin φ · y, x and y of length 1 and normal to each
-/// other: exactly, or within 2^−ellipse_bits where their lengths are irrational.
+/// Where a conic is in space: an ellipse is center + a cos φ · x + b sin φ · y, with x and y of
+/// length 1 and normal to each other: exactly, or within 2^−ellipse_bits where their lengths are
+/// irrational.
 struct SpaceConic {
   Vector<Rational> center;
   std::array<Rational, 2> semiaxes;  ///< a, b > 0
@@ -39,6 +40,18 @@ CurvePieces arc_between(const SpaceConic& conic, const PlaneVector& from, const 
 /// place) for one that is farther from the conic than rounding explains.
 CurvePieces arc_between(const SpaceConic& conic, const Vector<Rational>& from,
                         const Vector<Rational>& to, bool is_growing);
+
+/// The arc of the hyperbola center + a cosh u · x + b sinh u · y, or of the parabola
+/// center + a(u² x + 2u y), between two places, which are kept exactly. Throws InputError (no
+/// place) for one that is farther from the conic than rounding explains.
+RationalBezier hyperbola_between(const SpaceConic& conic, const Vector<Rational>& from,
+                                 const Vector<Rational>& to);
+RationalBezier parabola_between(const SpaceConic& conic, const Vector<Rational>& from,
+                                const Vector<Rational>& to);
+/// The places with the parameter u: of a parabola; of a hyperbola, e^u to a 2^ellipse_bits-th of
+/// itself. The latter throws InputError (no place) for |u| > 1000.
+Vector<Rational> on_parabola(const SpaceConic& conic, const Rational& u);
+Vector<Rational> on_hyperbola(const SpaceConic& conic, const Rational& u);
 
 /// v over its length, exactly or to within 2^−ellipse_bits. Throws InputError (no place) for 0.
 Vector<Rational> near_unit(const Vector<Rational>& v);

@@ -54,6 +54,7 @@ class StepCurves {
   DrawnCurve line_between(const Part21Entity& line, const StepEnd& start, const StepEnd& end) const;
   DrawnCurve arc(const Part21Entity& entity, const StepEnd& start, const StepEnd& end,
                  bool is_along) const;
+  DrawnCurve open_conic(const Part21Entity& entity, const StepEnd& start, const StepEnd& end) const;
   DrawnCurve part_of_spline(const Part21Entity& from, DrawnCurve whole, StepEnd start, StepEnd end,
                             bool is_along) const;
 
@@ -67,8 +68,8 @@ class StepCurves {
   for (const Part21Entity& entity : entities)
     names += (names.empty() ? "" : ", ") + std::string(entity.name);
   entities.front().fail(fmt::format(
-      "{} is not read; curves are B-splines of all kinds, POLYLINE, and LINE, CIRCLE or ELLIPSE "
-      "between ends",
+      "{} is not read; curves are B-splines of all kinds, POLYLINE, and LINE, CIRCLE, ELLIPSE, "
+      "PARABOLA or HYPERBOLA between ends",
       entities.size() == 1 ? "this" : abbreviated(names, 120)));
 }
 
@@ -111,7 +112,8 @@ SpaceConic StepCurves::conic(const Part21Entity& entity) const {
   const Vector<Rational> x = direction(
       3, axis[1] == 0 && axis[2] == 0 ? Vector<Rational>{0, 1, 0} : Vector<Rational>{1, 0, 0});
   const Rational a = entity.number(2, "a radius");
-  const Rational b = entity.name == "CIRCLE" ? a : entity.number(3, "a radius");
+  const Rational b =
+      entity.name == "CIRCLE" || entity.name == "PARABOLA" ? a : entity.number(3, "a radius");
   return of_entity(entity, [&] {
     return conic_about(place(placement->reference(1, "a point"), *placement, "CARTESIAN_POINT"),
                        axis, x, {a, b});
@@ -258,6 +260,21 @@ DrawnCurve StepCurves::arc(const Part21Entity& entity, const StepEnd& start, con
   });
 }
 
+/// There is one arc between two places of a parabola, and of a branch of a hyperbola.
+DrawnCurve StepCurves::open_conic(const Part21Entity& entity, const StepEnd& start,
+                                  const StepEnd& end) const {
+  const bool is_parabola = entity.name == "PARABOLA";
+  const SpaceConic about = conic(entity);
+  return of_entity(entity, [&]() -> DrawnCurve {
+    const auto place_of = [&](const StepEnd& at) {
+      if (at.place) return *at.place;
+      return (is_parabola ? on_parabola : on_hyperbola)(about, *at.parameter);
+    };
+    return {{(is_parabola ? parabola_between : hyperbola_between)(about, place_of(start),
+                                                                  place_of(end))}};
+  });
+}
+
 DrawnCurve StepCurves::part_of_spline(const Part21Entity& from, DrawnCurve whole, StepEnd start,
                                       StepEnd end, bool is_along) const {
   if (!is_along) std::swap(start, end);
@@ -287,6 +304,8 @@ DrawnCurve StepCurves::between(long basis, const Part21Entity& from, const StepE
   const Part21Entity& entity = entities.front();
   if (entity.name == "LINE") return line_between(entity, start, end);
   if (entity.name == "CIRCLE" || entity.name == "ELLIPSE") return arc(entity, start, end, is_along);
+  if (entity.name == "PARABOLA" || entity.name == "HYPERBOLA")
+    return open_conic(entity, start, end);
   if (entity.name == "SURFACE_CURVE" || entity.name == "SEAM_CURVE" ||
       entity.name == "INTERSECTION_CURVE")
     return between(entity.reference(1, "a curve"), entity, start, end, is_along, depth + 1);

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/read/iges_file.hpp"
+#include "phrame/io/read/plane_conic.hpp"
 #include "support/data.hpp"
 #include "support/refusal.hpp"
 #include "support/text.hpp"
@@ -71,6 +74,56 @@ TEST_CASE("step: splines are exact, with comments, texts and blanks anywhere") {
   CHECK(named.parameters[1].exact() == Rational(2));
 }
 
+/// Is c(x, y) = 0 on it, as a polynomial in t? For all t, then, z is this.
+bool is_on(const RationalCurve& curve, const PlaneConic& c, const Rational& z = 0) {
+  const auto [x, y, z_times_w] = curve.numerator();
+  const Polynomial& w = curve.weight();
+  return z_times_w == z * w &&
+         (c[0] * x * x + c[1] * x * y + c[2] * y * y + c[3] * x * w + c[4] * y * w + c[5] * w * w)
+             .is_zero();
+}
+
+// x = y²/4 + 1 and (x − 1)²/4 − (y − 2)²/9 = 1, by ISO 10303-42.
+TEST_CASE("step: parabolas and hyperbolas between places and parameters") {
+  const auto conic = [](const std::string& kind, const std::string& trims) {
+    return read(
+        step(points + "#5=CARTESIAN_POINT('',(1.,0.,0.));#6=AXIS2_PLACEMENT_3D('',#" +
+             (kind.starts_with("P") ? "5" : "2") + ",$,$);#7=" + kind +
+             ";#8=CARTESIAN_POINT('',(2.,2.,0.));#9=CARTESIAN_POINT('',(5.,-4.,0.));\n"
+             "#11=CARTESIAN_POINT('',(-1.,2.,0.));#12=CARTESIAN_POINT('',(-1.5,4.25,0.));\n" +
+             "#10=TRIMMED_CURVE('',#7," + trims + ",.T.,.CARTESIAN.);\n"));
+  };
+  const PlaneConic parabola{0, 0, 1, -4, 0, 4};
+  const NamedPath by_places = conic("PARABOLA('',#6,1.)", "(#8),(#9)");
+  CHECK(is_on(curve_of(by_places), parabola));
+  CHECK(point(curve_of(by_places), 0) == Vector<Rational>{2, 2, 0});
+  CHECK(point(curve_of(by_places), 1) == Vector<Rational>{5, -4, 0});
+  CHECK(curve_of(conic("PARABOLA('',#6,1.)", "(PARAMETER_VALUE(1.)),(PARAMETER_VALUE(-2.))")) ==
+        curve_of(by_places));
+
+  const PlaneConic hyperbola{9, 0, -4, -18, 16, -43};
+  const RationalCurve branch =
+      curve_of(conic("HYPERBOLA('',#6,2.,3.)", "(PARAMETER_VALUE(-0.5)),(PARAMETER_VALUE(1.5))"));
+  CHECK(is_on(branch, hyperbola));
+  for (const auto& [t, u] : {std::pair{0, -0.5}, {1, 1.5}}) {
+    CHECK(static_cast<double>(point(branch, t)[0]) ==
+          doctest::Approx(1 + 2 * std::cosh(u)).epsilon(1e-15));
+    CHECK(static_cast<double>(point(branch, t)[1]) ==
+          doctest::Approx(2 + 3 * std::sinh(u)).epsilon(1e-15));
+  }
+  const auto refused = [&](const std::string& kind, const std::string& trims) {
+    return test::refusal_of<InputError>([&] { conic(kind, trims); });
+  };
+  CHECK(test::contains(refused("HYPERBOLA('',#6,2.,3.)", "(#8),(#9)"),
+                       "#7=HYPERBOLA: an end is not on the curve"));
+  CHECK(test::contains(refused("HYPERBOLA('',#6,2.,3.)", "(#11),(#12)"),  // the other branch
+                       "an end is not on the curve"));
+  CHECK(test::contains(refused("PARABOLA('',#6,1.)", "(#8),(#8)"), "its ends are one"));
+  CHECK(test::contains(
+      refused("HYPERBOLA('',#6,2.,3.)", "(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(2000.))"),
+      "beyond 1000"));
+}
+
 // Half of the spline above; by de Casteljau's algorithm the ends are those of its middle.
 TEST_CASE("step: parts of splines are cut at parameters, and may run backwards") {
   const std::string spline =
@@ -131,9 +184,9 @@ TEST_CASE("step: composite curves, sets, edges") {
 }
 
 TEST_CASE("step: what is not read is named, with its line") {
-  CHECK(refusal("#10=HYPERBOLA('',#1,2.,1.);#11=GEOMETRIC_CURVE_SET('',(#10));\n") ==
-        "line 8: #10=HYPERBOLA: this is not read; curves are B-splines of all kinds, POLYLINE, "
-        "and LINE, CIRCLE or ELLIPSE between ends");
+  CHECK(refusal("#10=CLOTHOID('',#1,2.);#11=GEOMETRIC_CURVE_SET('',(#10));\n") ==
+        "line 8: #10=CLOTHOID: this is not read; curves are B-splines of all kinds, POLYLINE, "
+        "and LINE, CIRCLE, ELLIPSE, PARABOLA or HYPERBOLA between ends");
   CHECK(
       test::contains(refusal("#10=POLYLINE('',(#1,#77));\n"), "line 8: #10=POLYLINE: there is no"));
   CHECK(test::contains(refusal("#10=POLYLINE('',(#1,5));\n"), "a list of points is expected"));
@@ -205,6 +258,43 @@ TEST_CASE("iges: lines through points, and piecewise cubics") {
   CHECK(cubic.parameters[0].exact() == Rational(1));
 }
 
+// The conics by hand, as ellipses and parabolas that are turned, too.
+TEST_CASE("iges: conics are exact but for the lengths of ellipses") {
+  const auto conic = [](const std::string& parameters, const std::string& form) {
+    return read(iges("104", "104/" + parameters + "!", form));
+  };
+  // x² + xy + y² = 3 from (1, 1) to (−1, −1), which is half of it; all of it.
+  const PlaneConic turned{1, 1, 1, 0, 0, -3};
+  for (const char* form : {"0", "1"}) {
+    const NamedPath half = conic("1/1/1/0/0/-3/7/1/1/-1/-1", form);
+    REQUIRE(half.path.segments().size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto at = point(curve_of(half, k), Rational(1, 3));
+      CHECK(std::abs(static_cast<double>(at[0] * at[0] + at[0] * at[1] + at[1] * at[1]) - 3) <
+            1e-15);
+      CHECK(at[2] == 7);
+      CHECK(at[0] < at[1]);  // counterclockwise
+    }
+    CHECK(point(curve_of(half, 1), 1) == Vector<Rational>{-1, -1, 7});
+  }
+  CHECK(conic("1/1/1/0/0/-3/7/1/1/1/1", "1").path.segments().size() == 4);
+  CHECK(is_on(curve_of(conic("4/0/9/0/0/-36/0/3/0/0/2", "1")), {4, 0, 9, 0, 0, -36}));
+  // (x + y)² = 4(x − y), and xy = 1.
+  CHECK(is_on(curve_of(conic("1/2/1/-4/4/0/7/0/0/4/0", "3")), {1, 2, 1, -4, 4, 0}, 7));
+  CHECK(curve_of(conic("1/2/1/-4/4/0/7/4/0/0.3888888889/0.2777777778", "3")).weight().degree() ==
+        0);
+  CHECK(is_on(curve_of(conic("0/1/0/0/0/-1/7/1/1/3/0.3333333333333333", "0")), {0, 1, 0, 0, 0, -1},
+              7) == false);  // the end is rounded, and kept
+  CHECK(is_on(curve_of(conic("0/1/0/0/0/-1/7/4/0.25/0.5/2", "2")), {0, 1, 0, 0, 0, -1}, 7));
+  const auto refused = [&](const std::string& parameters, const std::string& form) {
+    return test::refusal_of<InputError>([&] { conic(parameters, form); });
+  };
+  CHECK(test::contains(refused("0/1/0/0/0/-1/7/1/1/-2/-0.5", "2"), "not on one branch"));
+  CHECK(test::contains(refused("0/1/0/0/0/-1/7/1/1/-2/-0.5", "1"), "it is no ellipse"));
+  CHECK(test::contains(refused("0/1/0/0/0/-1/7/1/1.01/2/0.5", "2"), "an end is not on the curve"));
+  CHECK(test::contains(refused("0/1/0/0/0/-1/7/1/1/2/0.5", "4"), "the form of a conic is 0 to 3"));
+}
+
 TEST_CASE("iges: other delimiters, exponents with D, parts, and what is not read") {
   const auto read_one = [](const std::string& type, const std::string& parameters) {
     return read(iges(type, parameters));
@@ -218,9 +308,9 @@ TEST_CASE("iges: other delimiters, exponents with D, parts, and what is not read
   const auto refused = [&](const std::string& type, const std::string& parameters) {
     return test::refusal_of<InputError>([&] { read_one(type, parameters); });
   };
-  CHECK(refused("104", "104/1./0./1./0./0./-1.!") ==
-        "line 1: there is no curve (126, 112, 110, 106, 102, 100) by itself in the IGES file: it "
-        "has 104");
+  CHECK(refused("108", "108/1./0./1./0./0!") ==
+        "line 1: there is no curve (126, 112, 110, 106, 104, 102, 100) by itself in the IGES file: "
+        "it has 108");
   CHECK(refused("110", "110/0./1.5!") == "line 3: entity 110 (D1): there are too few parameters");
   CHECK(test::contains(refused("100", "100/0./0./0./1./0./0./2.!"), "an end is not on the curve"));
   CHECK(test::contains(refused("102", "102/1/1!"), "more than 32 deep"));
