@@ -62,14 +62,18 @@ template <class Number>
 class ProductSum {
  public:
   void add(const Number& a, const Number& b) { fmpz_addmul(sum_.raw(), a.raw(), b.raw()); }
-  void subtract(const Number& a, const Number& b) { fmpz_submul(sum_.raw(), a.raw(), b.raw()); }
-  /// a·(k·b).
+  /// k·a·b; a is the shorter one.
   void add(const Number& a, const Number& b, long k) {
-    fmpz_mul_si(multiple_.raw(), b.raw(), k);
-    add(a, multiple_);
+    fmpz_mul_si(multiple_.raw(), a.raw(), k);
+    add(multiple_, b);
   }
   /// ⌊sum/2^bits⌋.
   Number upper(long bits) const { return sum_ >> static_cast<ulong>(bits); }
+  /// ⌊sum/d⌋, d > 0.
+  Number over(const Number& d) const {
+    Number quotient;
+    return fmpz_fdiv_q(quotient.raw(), sum_.raw(), d.raw()), quotient;
+  }
 
  private:
   Number sum_;
@@ -93,7 +97,6 @@ class ProductSum<TwoWords> {
     middle_ += a1 * b0 + b1 * a0 + high;
     high_ += a1 * b1;
   }
-  void subtract(TwoWords a, TwoWords b) { add(-a, b); }
   void add(TwoWords a, TwoWords b, long k) { add(a, k * b); }
   /// ⌊sum/2^bits⌋, 64 ≤ bits ≤ 128; a number of 126 bits where it has more.
   TwoWords upper(long bits) const {

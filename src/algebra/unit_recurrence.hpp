@@ -11,29 +11,31 @@ namespace phrame::inline v0 {
 // where all numbers are seen to fit: of coefficients with `most_bits` behind the point, between 64
 // and 127, and of a series with some bits less, as unit_series() sees to it.
 
-/// pₖ/divisor with so many bits behind the point, rounded down.
+/// pₖ/divisor, as numbers that are multiplied with those of a series: with so many bits behind the
+/// point as these need, rounded down; or pₖ themselves, where these are shorter: then products are
+/// those of a long and a short number.
 template <class Number>
 class FixedCoefficients {
  public:
   FixedCoefficients(const IntegerPolynomial& p, const Integer& divisor, long most_bits);
 
-  void round_to(long bits);  ///< ≤ most_bits; of TwoWords nothing is gained by it, nor done
+  /// For products with numbers of `needed` bits. Of TwoWords nothing is gained by it, nor done.
+  void choose(long needed);
   std::size_t size() const { return now_.size(); }
-  const Number& operator[](std::size_t k) const { return now_[k]; }  ///< pₖ·2^bits, ⌊·⌋
+  const Number& operator[](std::size_t k) const { return now_[k]; }
+  bool are_exact() const { return are_exact_; }
+  long bits() const { return bits_; }  ///< behind the point, where they are rounded
+  /// ⌊sum/n⌋ with the sum of products as it would be with pₖ/divisor.
+  Number share(const ProductSum<Number>& sum, std::size_t n = 1) const;
 
  private:
+  std::vector<Integer> exact_;
   std::vector<Integer> full_;
   std::vector<Number> now_;
+  Integer divisor_;
   long full_bits_;
-};
-
-/// How many bits behind the point are used now, of so many.
-struct BitsInUse {
-  long full;     ///< at most
-  long now = 0;  ///< 0 before the first choice
-
-  /// At least `needed`, if there are; true where they are others now.
-  bool choose(long needed);
+  long bits_ = 0;  ///< 0 before the first choice
+  bool are_exact_ = false;
 };
 
 /// The coefficients of a series.
@@ -46,9 +48,9 @@ struct FixedSeries {
 
   explicit FixedSeries(std::size_t looked_at) : window(looked_at) {}
   void push(Number x);
-  /// A step that rounded down, and that took `count` coefficients with an error of 2^−bits each
-  /// times numbers of so many bits.
-  void count_errors(std::size_t count, long bits_of_numbers, long bits);
+  /// A step has multiplied `count` of these coefficients with numbers of so many bits.
+  void count_errors(const FixedCoefficients<Number>& coefficients, std::size_t count,
+                    long bits_of_numbers);
 };
 
 /// w ≈ 1/√σ, σ = S/S(0), by n·wₙ = −Σ (n − i/2)·σᵢ·wₙ₋ᵢ, i ≥ 1. A step counts what is left over in
@@ -63,7 +65,6 @@ class RootRecurrence {
 
  private:
   FixedCoefficients<Number> sigma_;
-  BitsInUse bits_;
   FixedSeries<Number> w_;
 };
 
@@ -81,7 +82,6 @@ class QuotientRecurrence {
  private:
   FixedCoefficients<Number> nu_;
   FixedCoefficients<Number> delta_;
-  BitsInUse bits_;
   FixedSeries<Number> y_;
 };
 

@@ -76,6 +76,7 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
   Shares most;
   Shares of_coefficients;
   Shares of_words;
+  Shares of_exact;
   for (long k = 0; k < 60 * test::multiplier(); ++k) {
     Polynomial S{random.integer(1, 9)};
     Polynomial D{random.integer(1, 9)};
@@ -89,12 +90,14 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
     CAPTURE(D);
     CAPTURE(S);
     CAPTURE(Q);
-    // With as many bits as unit_series() takes, about, and with far fewer than the numbers have.
+    // With as many bits as unit_series() takes, about, with far fewer than the numbers have, and
+    // with so many that the coefficients themselves are shorter, as long as the numbers are long.
     const Shares enough = shares_of<Integer>(f, Q, Q + 8, 30);
     const Shares few = shares_of<Integer>(f, Q, std::max(4L, Q - 6), 30);
+    const Shares exact = shares_of<Integer>(f, 4 * Q + 150, 4 * Q + 158, 60);
     const Shares by_words = shares_of<TwoWords>(f, Q + 16, 90, 30);
     const Shares few_words = shares_of<TwoWords>(f, 76, 70, 30);
-    for (const Shares& shares : {enough, few, by_words, few_words}) {
+    for (const Shares& shares : {enough, few, exact, by_words, few_words}) {
       CHECK(shares.root <= 1);
       CHECK(shares.quotient <= 1);
     }
@@ -102,6 +105,8 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
     most.quotient = std::max(most.quotient, enough.quotient);
     of_coefficients.root = std::max(of_coefficients.root, few.root);
     of_coefficients.quotient = std::max(of_coefficients.quotient, few.quotient);
+    of_exact.root = std::max(of_exact.root, exact.root);
+    of_exact.quotient = std::max(of_exact.quotient, exact.quotient);
     of_words.root = std::max(of_words.root, few_words.root);
     of_words.quotient = std::max(of_words.quotient, few_words.quotient);
   }
@@ -109,6 +114,8 @@ TEST_CASE("unit recurrence: law: no step leaves over more than it counts, and so
   CHECK(most.quotient > 0.9);
   CHECK(of_coefficients.root > 0.9);
   CHECK(of_coefficients.quotient > 0.9);
+  CHECK(of_exact.root > 0.9);
+  CHECK(of_exact.quotient > 0.9);
   CHECK(of_words.root > 0.9);
   CHECK(of_words.quotient > 0.9);
 }
@@ -128,18 +135,15 @@ TEST_CASE("unit recurrence: law: sums of products of two words are those of inte
       const bool is_greatest = random.chance(4);
       const Integer limit = (Integer(1) << static_cast<unsigned long>(most_factor_bits)) - 1;
       const Integer a = is_greatest ? limit : some(most_factor_bits);
-      const Integer b = is_greatest ? Integer(-limit) : some(most_factor_bits);
+      const Integer b = !is_greatest       ? some(most_factor_bits)
+                        : random.chance(2) ? limit
+                                           : Integer(-limit);
       const auto x = from_integer<TwoWords>(a);
       const auto y = from_integer<TwoWords>(b);
       CHECK(to_integer(x) == a);
       CHECK(bit_length(x) == bit_length(a));
-      if (random.chance(2)) {
-        sum.add(a, b);
-        by_words.add(x, y);
-      } else {
-        sum.subtract(a, b);
-        by_words.subtract(x, y);
-      }
+      sum.add(a, b);
+      by_words.add(x, y);
       const long bits = random.integer(64, 128);
       const Integer upper = sum.upper(bits);
       if (bit_length(upper) < 124)
