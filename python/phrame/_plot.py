@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import base64
 import io
+import json
+from fractions import Fraction
 from importlib.util import find_spec
 from typing import Any, Callable, Dict
 
@@ -113,6 +115,62 @@ def path(
     if width:
         _add_ribbon(ax, points, normals, width, line.get_color())
     _equalize(ax, low - width / 2, high + width / 2)
+    return ax
+
+
+def _outline(path: Any) -> Any:
+    """x and y of its points, the nearer to each other in t the faster it moves there: no step is a noticeable part of the whole."""
+    ts = _parameters(path, None)
+    for _ in range(8):
+        points = path.points(ts)[:, :2]
+        steps = np.hypot(*np.diff(points, axis=0).T)
+        long = np.flatnonzero(steps > np.ptp(points, axis=0).max() / 150)
+        if not len(long):
+            break
+        ts = np.insert(ts, long + 1, (ts[long] + ts[long + 1]) / 2)
+    return path.points(ts).T[:2]
+
+
+def _value(x: Any) -> float:
+    """Of a number in an answer: a fraction as text, or an enclosure."""
+    return float(x["value"]) if isinstance(x, dict) else float(Fraction(x))
+
+
+def _cut_points(branch: Any) -> Any:
+    """Where parts of a trimmed offset end but not at a joint of the path."""
+    ends = [part[side] for part in branch["parts"] for side in ("from", "to")]
+    return [end["point"] for end in ends if isinstance(end["t"], dict) or "/" in end["t"]]
+
+
+def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *, ax: Any = None, **style: Any) -> Any:
+    """Path.plot_offset"""
+    from ._ask import ask
+    from ._phrame import parse
+
+    _require_axes(ax, "plot")
+    report = ask("offset", self, distance=distance, join=join, trim=trim)
+    if ax is None:
+        ax = _new_axes(xlabel="x", ylabel="y", aspect="equal")
+        ax.plot(*_outline(self), color="0.6")
+    for found in report.get("offsets") or report.get("trimmed") or report["both"]:
+        branches = found.get("branches", [found])
+        drawn = dict(style)
+        for curve in (curve for branch in branches for curve in branch["paths"]):
+            (line,) = ax.plot(*_outline(parse(json.dumps(curve))), **_in_grey(ax, drawn))
+            drawn.update(color=line.get_color(), linestyle=line.get_linestyle())
+        at = [_value(cusp["t"]) for cusp in found.get("cusps", [])]
+        x, y = self.points(at).T[:2] if at else ((), ())
+        e1 = self.frames(at)[:, 0] if at else np.empty((0, 3))
+        d = _value(found["distance"])
+        marks = {
+            "o": [(a + d * t[1], b - d * t[0]) for a, b, t in zip(x, y, e1)],
+            "x": [place["point"] for place in found.get("self_intersections", {}).get("places", [])],
+            "s": [point for branch in branches if "parts" in branch for point in _cut_points(branch)],
+        }
+        for marker, points in marks.items():
+            if points:
+                xy = [[v if isinstance(v, float) else _value(v) for v in p] for p in points]
+                ax.plot(*np.transpose(xy), marker, color=drawn.get("color"), fillstyle="none", markersize=5)
     return ax
 
 

@@ -313,6 +313,15 @@ void bind_path(nb::module_& m, PathClass& path) {
       ", f2: Vectors | None = None, **style: typing.Any) -> typing.Any",
       "The path in space, by Matplotlib, with a ribbon that is `ribbon` wide, 0 for none, "
       "along f2 of the frame asked for, or along the f2 that somebody else has at ts; the axes.");
+  bind_python(
+      path, "plot_offset", "phrame._plot", "offset",
+      "def plot_offset(self, distance: Number | Numbers, join: str = 'round', trim: bool = False, "
+      "*, "
+      "ax: typing.Any = None, **style: typing.Any) -> typing.Any",
+      "The offsets of a plane path, as offset() has them, by Matplotlib, beside the path in grey: "
+      "rings are at cusps, crosses where an offset meets itself, and with `trim` squares where it "
+      "is "
+      "cut; the axes.");
   bind_python(path, "_repr_html_", "phrame._show", "path_html", "def _repr_html_(self) -> str");
   bind_python(path, "_repr_latex_", "phrame._show", "path_latex",
               "def _repr_latex_(self) -> str | None");

@@ -64,6 +64,7 @@ API = {
     "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
     "Path.json": (QUINTIC.json, {}),
     "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
+    "Path.plot_offset": (phrame.Curve([1], [0], [0], [0, 1]).plot_offset, {"distance": 1, "join": "round", "trim": False, "ax": PLANE}),
     "Path.point": (QUINTIC.point, {"t": 1, "by": "t"}),
     "Path.nearest": (QUINTIC.nearest, {"point": [1, 2, 3]}),
     "Path.domain": (QUINTIC.domain, {"by": "t"}),

@@ -3,6 +3,7 @@
 import json
 import math
 
+import numpy as np
 import pytest
 
 import phrame
@@ -55,6 +56,35 @@ def test_the_report_by_ask():
     (offset,) = phrame.ask("offset", CUBIC, distance="-1")["offsets"]
     assert [cusp["t"]["polynomial"] for cusp in offset["cusps"]] == [["-1", "0", "2", "0", "1"]]
     assert offset["self_intersections"] == {"complete": True, "count": 0, "places": [], "undecided": []}
+
+
+# 4 cusps and 6 places where it meets itself: counted on a polyline of 6000 points as well.
+SEPTIC = phrame.Path.from_json(json.dumps({
+    "phrame": "curve/1", "basis": "bernstein", "preimage": {"u": [2, -6, 8, -7], "v": [0, 0, 0, 0], "p": [0, 0, 0, 0], "q": [9, -9, -3, 7]}}))
+
+
+def test_a_plot_marks_cusps_crossings_and_cuts():
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    path, line, cusps, crossings = SEPTIC.plot_offset(-15).lines
+    distances = np.abs(np.array(line.get_xydata())[:, None] - SEPTIC.points(np.linspace(0, 1, 2001))[None, :, :2])
+    assert np.hypot(*distances.T).min(axis=0).max() < 15.001  # no point is farther than that from the path, and near cusps some are nearer
+    assert np.isclose(np.hypot(*(line.get_xydata()[[0, -1]] - path.get_xydata()[[0, -1]]).T), 15).all()
+    assert (cusps.get_marker(), crossings.get_marker()) == ("o", "x")
+    assert len(cusps.get_xdata()) == 4 and len(crossings.get_xdata()) == 6
+    # The offset turns back at a cusp: before and behind it are on the same side of it.
+    for x, y in zip(*cusps.get_data()):
+        k = np.argmin(np.hypot(line.get_xdata() - x, line.get_ydata() - y))
+        before, after = (line.get_xydata()[j] - (x, y) for j in (k - 2, k + 2))
+        assert np.dot(before, after) > 0
+    assert np.hypot(*np.diff(line.get_xydata(), axis=0).T).max() < 1  # of 40
+    ax = pyplot.figure().add_subplot()
+    corners = [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 0, 0]]
+    triangle = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
+    assert triangle.plot_offset(["-1/2", "-1/4"], trim=True, ax=ax) is ax
+    inside, cuts, _, _ = ax.lines
+    assert inside.get_color() == cuts.get_color() and cuts.get_marker() == "s"
+    assert {(x, y) for x, y in np.transpose(cuts.get_data())} == {(1.5, 0.5), (3.5, 0.5), (3.5, 2)}
+    pyplot.close("all")
 
 
 def test_an_envelope_by_ask():

@@ -298,6 +298,17 @@ TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself 
   CHECK(self_intersections(offset(PhPath(bow), Rational(-2, 5))).found.empty());
 }
 
+// The numbers are those of a picture of Farouki's slides; a polygon through 6000 points of this
+// offset, cut by itself in NumPy, has as many.
+TEST_CASE("offset: one with four cusps that meets itself six times") {
+  const Curve curve({from_bernstein({2, -6, 8, -7}), {}, {}, from_bernstein({9, -9, -3, 7})});
+  const Offset found = offset(PhPath(curve), -15);
+  CHECK(cusps(found).size() == 4);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found.size() == 6);
+}
+
 TEST_CASE("offset: an arc and what turns back into it part at their joint") {
   // It turns right, at the end with kappa = -4, and behind the corner left.
   PhPath path(Curve({{1}, {}, {}, {2, -2}}));
