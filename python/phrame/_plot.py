@@ -148,6 +148,8 @@ def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *,
     from ._phrame import parse
 
     _require_axes(ax, "plot")
+    if distance is None:
+        raise TypeError("distance: a number or a list of numbers is wanted, not NoneType")
     report = ask("offset", self, distance=distance, join=join, trim=trim)
     if ax is None:
         ax = _new_axes(xlabel="x", ylabel="y", aspect="equal")
