@@ -45,7 +45,13 @@ def _json(x: Any, place: str, is_file: bool = False) -> Any:
 
     if isinstance(x, os.PathLike) or (is_file and isinstance(x, str)):
         return _text_of(x, place)
-    if isinstance(x, (bool, str)):
+    if isinstance(x, str):
+        try:
+            x.encode()
+        except UnicodeEncodeError:
+            raise _refuse(place, "it is no text of Unicode", x) from None
+        return x
+    if isinstance(x, bool):
         return x
     if isinstance(x, np.bool_):
         return bool(x)
@@ -56,7 +62,9 @@ def _json(x: Any, place: str, is_file: bool = False) -> Any:
     found = _numbers.number(x, place)
     if isinstance(found, tuple):
         exact = Fraction(*found)
-        return int(exact) if exact.denominator == 1 else str(exact)
+        if exact.denominator == 1 and abs(exact) < 10**3000:
+            return int(exact)
+        return _numbers.decimal(exact.numerator) + ("" if exact.denominator == 1 else "/" + _numbers.decimal(exact.denominator))
     if found is not None:
         return _json(found, place)
     many = _numbers.numbers(x, place)

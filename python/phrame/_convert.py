@@ -7,6 +7,7 @@ import operator
 from fractions import Fraction
 from typing import Any
 
+from . import _numbers
 from ._errors import InputError, Undecided
 
 
@@ -170,7 +171,13 @@ def _exact(x: Any) -> Any:
         return [_exact(item) for item in x]
     if isinstance(x, bool) or not hasattr(x, "__float__"):
         raise TypeError(f"curve: numbers are wanted in it, not {type(x).__name__}")
-    return str(x) if isinstance(x, int) else float(x).hex()
+    return _numbers.decimal(x) if isinstance(x, int) else float(x).hex()
+
+
+def _degree(k: Any) -> int:
+    if isinstance(k, bool) or not hasattr(k, "__index__"):
+        raise TypeError(f"curve: an int is wanted for the degree k, not {type(k).__name__}")
+    return operator.index(k)
 
 
 def scipy_text(curve: Any) -> str:
@@ -180,11 +187,11 @@ def scipy_text(curve: Any) -> str:
             curve = curve[0]
         if len(curve) == 3:
             t, c, k = curve
-            return json.dumps([_exact(t), _exact(c), operator.index(k)])
+            return json.dumps([_exact(t), _exact(c), _degree(k)])
     elif any(base.__name__ == "BPoly" for base in type(curve).__mro__):
         raise TypeError("curve: a BPoly is not read; PPoly.from_bernstein_basis(curve) is")
     elif all(hasattr(curve, name) for name in ("t", "c", "k")):
-        return json.dumps({"t": _exact(curve.t), "c": _exact(curve.c), "k": operator.index(curve.k)})
+        return json.dumps({"t": _exact(curve.t), "c": _exact(curve.c), "k": _degree(curve.k)})
     elif all(hasattr(curve, name) for name in ("c", "x")):
         return json.dumps({"c": _exact(curve.c), "x": _exact(curve.x)})
     raise TypeError(

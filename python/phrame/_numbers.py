@@ -122,6 +122,15 @@ def _quotient(x: Any) -> Optional[Tuple[int, int]]:
     return None
 
 
+def decimal(n: int) -> str:
+    """Its decimal digits, however many: of more than some 4000 Python itself makes none."""
+    parts, rest = [], abs(n)
+    while rest >= 10**3000:
+        rest, low = divmod(rest, 10**3000)
+        parts.append(f"{low:03000d}")
+    return "-" * (n < 0) + str(rest) + "".join(reversed(parts))
+
+
 def number(x: Any, place: str) -> Any:
     """What x is: a pair (numerator, denominator), or another number; None where it is none."""
     x = _plain(x, place)

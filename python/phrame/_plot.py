@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import sys
 from fractions import Fraction
 from importlib.util import find_spec
 from typing import Any, Callable, Dict
@@ -150,15 +151,22 @@ def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *,
     _require_axes(ax, "plot")
     if distance is None:
         raise TypeError("distance: a number or a list of numbers is wanted, not NoneType")
+    if isinstance(distance, (int, Fraction)) and abs(distance) > sys.float_info.max:
+        reason = "it is too large to be drawn"
+        raise InputError(f"distance: {reason}", "distance", reason, distance)
     report = ask("offset", self, distance=distance, join=join, trim=trim)
     if ax is None:
         ax = _new_axes(xlabel="x", ylabel="y", aspect="equal")
         ax.plot(*_outline(self), color="0.6")
-    for found in report.get("offsets") or report.get("trimmed") or report["both"]:
+    for found in next(report[key] for key in ("offsets", "trimmed", "both") if key in report):
         branches = found.get("branches", [found])
         drawn = dict(style)
         for curve in (curve for branch in branches for curve in branch["paths"]):
-            (line,) = ax.plot(*_outline(parse(json.dumps(curve))), **_in_grey(ax, drawn))
+            try:
+                points = _outline(parse(json.dumps(curve)))
+            except InputError as error:  # too large for a picture
+                raise InputError(f"distance: {error}", "distance", str(error), distance) from None
+            (line,) = ax.plot(*points, **_in_grey(ax, drawn))
             drawn.update(color=line.get_color(), linestyle=line.get_linestyle())
         at = [_value(cusp["t"]) for cusp in found.get("cusps", [])]
         x, y = self.points(at).T[:2] if at else ((), ())

@@ -80,6 +80,12 @@ def test_an_exception_names_the_argument(question, options, place, message):
     assert refused.value.place == place
 
 
+def test_numbers_longer_than_python_prints():
+    for move in (10**5000 + 7, -(10**5000) - 7, Fraction(-(10**5000) - 7, 3), Fraction(1, 10**4500)):
+        (x, _, _) = phrame.parse(json.dumps(phrame.ask("transform", QUINTIC, move=[move, 0, 0]))).point(0)
+        assert x - move == QUINTIC.point(0)[0]
+
+
 def test_other_exceptions_are_those_of_the_library():
     line = phrame.Curve([1], [0], [0], [0])
     with pytest.raises(phrame.DomainError):

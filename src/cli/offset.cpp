@@ -31,6 +31,7 @@ OffsetQuery query(const OffsetOptions& options) {
     query.distances.push_back(parse_option("--distance", text));
     if (query.distances.back() == 0) throw InputError("--distance", "0 is no distance");
   }
+  if (query.distances.empty()) throw InputError("--distance", "a distance is wanted");
   if (query.pocket && query.distances.size() != 1)
     throw InputError("--pocket", "one distance is wanted, of which the others are multiples");
   return query;
