@@ -11,22 +11,18 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/special_points.hpp"
-#include "phrame/ph/offset/offset_join.hpp"
+#include "phrame/ph/offset/joined_offset.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
-/// With H along e₁.
 RationalCurve offset_along(const Curve& curve, const PlaneTangent& tangent, const Rational& d) {
   Vector<Polynomial> r = numerator(curve);
   for (Polynomial& x : r) x *= tangent.sigma;
   r[0] += d * tangent.y * curve.weight();
   r[1] -= d * tangent.x * curve.weight();
-  RationalCurve found(r, tangent.sigma * curve.weight());
-  const Vector<Rational> h = evaluate(found.direction(), 0);
-  const bool is_along = h[0] * tangent.x(0) + h[1] * tangent.y(0) > 0;
-  return is_along ? found : found.turned_over();
+  return with_direction(RationalCurve(r, tangent.sigma * curve.weight()), direction(tangent, 0));
 }
 
 /// Is 1 + dκ = 0 all along, as of an arc at the distance of its center?
@@ -52,66 +48,6 @@ std::vector<PlaneTangent> tangents_of(const PhPath& path) {
   return tangents;
 }
 
-/// What is between two segments; of a path that closes, between the last and the first one, too.
-class OffsetMaker {
- public:
-  OffsetMaker(const PhPath& path, const Rational& d, OffsetJoin join)
-      : path_(path), d_(d), join_(join), tangents_(tangents_of(path)), made_{d, {}, {}, {}} {}
-
-  Offset make() {
-    const auto& segments = path_.segments();
-    for (std::size_t k = 0; k < segments.size(); ++k) {
-      if (k > 0) add_joint(k - 1, k);
-      const bool is_a_point = is_point(segments[k], tangents_[k], d_);
-      if (is_a_point) points_.push_back(made_.pieces.size());
-      made_.pieces.push_back({is_a_point ? PhSegment(segments[k]).by_positions()
-                                         : offset_along(segments[k], tangents_[k], d_),
-                              k});
-    }
-    if (path_.closing_turn())
-      add_joint(segments.size() - 1, 0);
-    else
-      made_.meets.push_back(false);
-    drop_points();
-    return std::move(made_);
-  }
-
- private:
-  /// Behind such a point the tangent is another one: the offset is cut there.
-  void drop_points() {
-    for (std::size_t j = points_.size(); j-- > 0;) {
-      const auto at = static_cast<std::ptrdiff_t>(points_[j]);
-      made_.pieces.erase(made_.pieces.begin() + at);
-      made_.meets.erase(made_.meets.begin() + at);
-      if (!made_.meets.empty())
-        made_.meets[(points_[j] + made_.meets.size() - 1) % made_.meets.size()] = false;
-    }
-  }
-
-  void add_joint(std::size_t before, std::size_t after) {
-    const Curve& next = path_.segments()[after];
-    const PlaneCorner corner{next.start(), direction(tangents_[before], 1),
-                             direction(tangents_[after], 0), sign_after_zero(next.multiplier())};
-    if (corner.before == corner.after) return made_.meets.push_back(true);
-    const bool is_outer = is_outside(corner, d_);
-    if (!is_outer) made_.inner_corners.push_back(after);
-    const bool is_joined = is_outer && join_ != OffsetJoin::open;
-    made_.meets.push_back(is_joined);
-    if (!is_joined) return;
-    for (RationalCurve& curve : corner_join(corner, d_, join_)) {
-      made_.pieces.push_back({std::move(curve), after, true});
-      made_.meets.push_back(true);
-    }
-  }
-
-  const PhPath& path_;
-  const Rational& d_;
-  OffsetJoin join_;
-  std::vector<PlaneTangent> tangents_;
-  std::vector<std::size_t> points_{};  ///< the pieces that are points, ascending
-  Offset made_;
-};
-
 int first_sign(const OffsetPiece& piece) { return sign_after_zero(piece.curve.multiplier()); }
 int last_sign(const OffsetPiece& piece) { return sign_before_one(piece.curve.multiplier()); }
 
@@ -130,7 +66,19 @@ RationalCurve offset(const Curve& curve, const Rational& d) {
 
 Offset offset(const PhPath& path, const Rational& d, OffsetJoin join) {
   require_distance(d);
-  return OffsetMaker(path, d, join).make();
+  const std::vector<PlaneTangent> tangents = tangents_of(path);
+  std::vector<OffsetSegment> segments;
+  for (std::size_t k = 0; k < tangents.size(); ++k) {
+    const Curve& curve = path.segments()[k];
+    segments.push_back({std::nullopt, curve.start(), direction(tangents[k], 0),
+                        direction(tangents[k], 1), sign_after_zero(curve.multiplier())});
+    if (!is_point(curve, tangents[k], d))
+      segments.back().curve = offset_along(curve, tangents[k], d);
+  }
+  const auto at_corner = [&](const PlaneCorner& corner, std::size_t, std::size_t) {
+    return corner_join(corner, d, join);
+  };
+  return joined_offset(d, std::move(segments), path.closing_turn().has_value(), at_corner);
 }
 
 std::vector<Path> paths(const Offset& offset) { return joined_paths(branches_of(offset)); }

@@ -12,7 +12,6 @@ namespace phrame::inline v0 {
 namespace {
 
 Rational dot(const PlaneDirection& a, const PlaneDirection& b) { return a.x * b.x + a.y * b.y; }
-Rational cross(const PlaneDirection& a, const PlaneDirection& b) { return a.x * b.y - a.y * b.x; }
 
 /// at + d·n.
 Vector<Rational> moved(const Vector<Rational>& at, const PlaneDirection& n, const Rational& d) {

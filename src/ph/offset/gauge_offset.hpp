@@ -1,0 +1,37 @@
+#pragma once
+#include "phrame/ph/offset/gauge.hpp"
+#include "phrame/ph/offset/offset.hpp"
+
+namespace phrame::inline v0 {
+
+/// The offsets r + d·U(φ(t)) of a path under a gauge, U′(φ) ∥ r′ with U(φ) to the right of e₁: they
+/// are that by d > 0 to the right of travel and for d < 0 to the left, as those by a distance,
+/// which they are for the unit circle. r_d′ is along r′.
+class PHRAME_API GaugeOffsets {
+ public:
+  /// A segment of which the offsets are not rational over ℚ.
+  struct None {
+    std::size_t segment;        ///< which
+    std::vector<long> degrees;  ///< those of the factors of r′ × U′ in φ
+  };
+
+  /// Of a path of polynomial or rational curves in planes z = const, PH or not. Throws DomainError
+  /// for others, naming the segment. Cost: a factorization for each segment.
+  GaugeOffsets(const Path& path, Gauge gauge);
+
+  const std::vector<None>& none() const { return none_; }  ///< ascending; for every d
+  /// That of all others, cut where there is none, with H along e₁. On the outer side of a corner it
+  /// is joined: `round` by the arc of the gauge about the corner, from where its tangent is that
+  /// before to where it is that behind the corner; `mitre` by these tangents. Throws DomainError
+  /// for d = 0.
+  Offset at(const Rational& d, OffsetJoin join = OffsetJoin::round) const;
+
+ private:
+  Path path_;
+  bool is_closed_;
+  Gauge gauge_;
+  std::vector<std::optional<GaugeParameter>> parameters_;  ///< of the segments
+  std::vector<None> none_;
+};
+
+}  // namespace phrame
