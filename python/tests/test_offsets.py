@@ -87,6 +87,15 @@ def test_a_plot_marks_cusps_crossings_and_cuts():
     pyplot.close("all")
 
 
+def test_a_gauge_by_ask():
+    circle = {"phrame": "curve/1", "basis": "power", "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}}
+    found = phrame.ask("offset", CUBIC, distance="1/2", gauge=circle)
+    assert found["without"] == []
+    assert found["offsets"][0]["paths"] == phrame.ask("offset", CUBIC, distance="1/2")["offsets"][0]["paths"]
+    with pytest.raises(phrame.InputError, match="not symmetric"):
+        phrame.ask("offset", CUBIC, distance="1/2", gauge={**circle, "position": {"x": [2], "y": [0, 2], "w": [1, 0, 1]}})
+
+
 def test_an_envelope_by_ask():
     axis = {"phrame": "mph/1", "control_points": [[0, 0, 1], ["3/2", 0, 1], [3, 1, 2]]}
     answer = phrame.ask("envelope", axis, trim=True)

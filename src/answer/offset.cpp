@@ -7,6 +7,7 @@
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
@@ -21,11 +22,17 @@ OffsetAnswer::Measure measure(const DefiniteIntegral& found, const std::string& 
   return {found.exact, rounded_or_zero(found.value, name, digits)};
 }
 
-/// What is said of one offset.
+OffsetAnswer::Measure measure(const Real& x, const std::string& name, long digits) {
+  OffsetAnswer::Measure found{std::nullopt, rounded_as_known(x, name, digits)};
+  if (x.exact()) found.exact = exact_value(*x.exact());
+  return found;
+}
+
+/// What is said of one offset of a path with that end.
 class OffsetReport {
  public:
-  OffsetReport(const PhPath& path, const Offset& offset, long digits)
-      : path_(path), offset_(offset), digits_(digits) {}
+  OffsetReport(Rational end, const Offset& offset, long digits, bool is_euclidean = true)
+      : end_(std::move(end)), offset_(offset), digits_(digits), is_euclidean_(is_euclidean) {}
 
   OffsetAnswer::Part make() {
     OffsetAnswer::Part part{offset_.distance, paths(offset_), {}, {}, {}, false, {}, {}, {}, {}};
@@ -33,21 +40,34 @@ class OffsetReport {
       part.cusps.push_back({parameter(cusp.piece, cusp.t), cusp.turns_back});
     add_meetings(part);
     for (const std::size_t k : offset_.inner_corners) part.inner_corners.push_back(corner(k));
-    const OffsetLength lengths = length(offset_);
-    for (const OffsetStretch& stretch : lengths.stretches)
-      part.stretches.push_back({parameter(stretch.first_piece, stretch.from),
-                                parameter(stretch.last_piece, stretch.to),
-                                measure(stretch.length, "the length of a stretch", digits_)});
-    part.length = measure(lengths.total, "the length of the offset", digits_);
+    if (is_euclidean_)
+      add_lengths(part);
+    else
+      part.length = measure(length_of(part.paths), "the length of the offset", digits_);
     if (const auto area = signed_area(offset_))
       part.area = measure(*area, "the area of the offset", digits_);
     return part;
   }
 
  private:
+  void add_lengths(OffsetAnswer::Part& part) const {
+    const OffsetLength lengths = length(offset_);
+    for (const OffsetStretch& stretch : lengths.stretches)
+      part.stretches.push_back({parameter(stretch.first_piece, stretch.from),
+                                parameter(stretch.last_piece, stretch.to),
+                                measure(stretch.length, "the length of a stretch", digits_)});
+    part.length = measure(lengths.total, "the length of the offset", digits_);
+  }
+
+  static Real length_of(const std::vector<Path>& paths) {
+    Real sum = Rational(0);
+    for (const Path& path : paths) sum = sum + PathLength(path).total();
+    return sum;
+  }
+
   /// t of the corner at the start of that segment; that where the path closes is its end.
   Rational corner(std::size_t segment) const {
-    return segment == 0 ? path_.end() : Rational(static_cast<long>(segment));
+    return segment == 0 ? end_ : Rational(static_cast<long>(segment));
   }
 
   RealAlgebraic parameter(std::size_t piece, const RealAlgebraic& t) const {
@@ -85,9 +105,10 @@ class OffsetReport {
     part.is_cut_off = found.is_cut_off;
   }
 
-  const PhPath& path_;
+  Rational end_;
   const Offset& offset_;
   long digits_;
+  bool is_euclidean_;
 };
 
 /// What is said of one that is trimmed.
@@ -133,15 +154,9 @@ class TrimReport {
                                part.to.exact() != Rational(1)});
     }
     const BranchMeasure size = phrame::measure(path_, trimmed_, branch);
-    report.length = measure(size.length, "the length of a branch");
-    if (size.area) report.area = measure(*size.area, "the area of a branch");
+    report.length = measure(size.length, "the length of a branch", digits_);
+    if (size.area) report.area = measure(*size.area, "the area of a branch", digits_);
     return report;
-  }
-
-  OffsetAnswer::Measure measure(const Real& x, const std::string& name) const {
-    OffsetAnswer::Measure found{std::nullopt, rounded_as_known(x, name, digits_)};
-    if (x.exact()) found.exact = exact_value(*x.exact());
-    return found;
   }
 
   Real parameter(std::size_t piece, const Real& t) const {
@@ -247,9 +262,36 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   return found;
 }
 
+OffsetAnswer::Part part_of(const Rational& end, const Offset& offset, long digits,
+                           bool is_euclidean) {
+  if (offset.pieces.empty())
+    throw DomainError("offset: at the distance " + to_string(offset.distance) +
+                      " nothing but points is left");
+  return OffsetReport(end, offset, digits, is_euclidean).make();
+}
+
+OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
+  if (query.trim || query.pocket) throw DomainError("offset: under a gauge nothing is trimmed");
+  const GaugeOffsets offsets(named.path, *query.gauge);
+  if (offsets.none().size() == named.path.segments().size())
+    throw DomainError(fmt::format(
+        "offset: {} no rational offset under this gauge: the irreducible factors of r' x U' are of "
+        "degree {} in phi",
+        offsets.none().size() == 1 ? "the path has" : "all segments have",
+        fmt::join(offsets.none().front().degrees, ", ")));
+  OffsetAnswer answer{named, named.path.is_closed(), query.join, {}};
+  answer.gauge = query.gauge;
+  answer.without = offsets.none();
+  for (const Rational& d : query.distances)
+    answer.offsets.push_back(
+        part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
+  return answer;
+}
+
 }  // namespace
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
+  if (query.gauge) return under_gauge(named, query);
   const auto path = named.path.with_preimages();
   if (!path) return {named, false, query.join, {}, {}, both_sides(named.path, query)};
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
@@ -260,13 +302,9 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
       answer.trimmed.push_back(
           TrimReport(*path, trimmed_offset(*path, d, query.join), query.digits).make());
   else
-    for (const Rational& d : query.distances) {
-      const Offset found = offset(*path, d, query.join);
-      if (found.pieces.empty())
-        throw DomainError("offset: at the distance " + to_string(d) +
-                          " nothing but points is left");
-      answer.offsets.push_back(OffsetReport(*path, found, query.digits).make());
-    }
+    for (const Rational& d : query.distances)
+      answer.offsets.push_back(
+          part_of(path->end(), offset(*path, d, query.join), query.digits, true));
   return answer;
 }
 

@@ -4,12 +4,13 @@
 #include "phrame/export.hpp"
 #include "phrame/integrate/exact_value.hpp"
 #include "phrame/ph/curve/path.hpp"
+#include "phrame/ph/offset/gauge_offset.hpp"
 #include "phrame/ph/offset/offset.hpp"
 #include "phrame/ph/offset/offset_kind.hpp"
 
 namespace phrame::inline v0 {
 
-/// Asks for the offsets of a plane PH path at some distances.
+/// Asks for the offsets of a plane PH path at some distances, or of any under a gauge.
 struct OffsetQuery {
   std::vector<Rational> distances;      ///< at least one, > 0 to the right of travel; not 0
   OffsetJoin join = OffsetJoin::round;  ///< at corners, on the outer side
@@ -18,6 +19,7 @@ struct OffsetQuery {
   /// Of a closed path, trimmed, at the one distance inwards and its multiples until nothing is
   /// left?
   bool pocket = false;
+  std::optional<Gauge> gauge = {};  ///< whose offsets, in place of the Euclidean ones
 };
 
 /// The offsets of a path. A place on them is named by the parameter t of the path there.
@@ -64,7 +66,7 @@ struct OffsetAnswer {
     std::vector<Undecided> undecided;  ///< where else there may be some
     bool is_cut_off;  ///< were too many parts undecided? Then there may be others anywhere
     std::vector<Rational> inner_corners;  ///< t of those where both sides cross
-    std::vector<Stretch> stretches;       ///< one after the other
+    std::vector<Stretch> stretches;       ///< one after the other; none under a gauge
     Measure length;                       ///< of all of it
     std::optional<Measure> area;          ///< signed, of a closed one
   };
@@ -109,13 +111,17 @@ struct OffsetAnswer {
   /// In that order, if they are. Of a pocket each is one branch: first one next to the path, and
   /// behind each branch those inside of it, so that one room comes after the other.
   std::vector<Trimmed> trimmed = {};
-  std::vector<Both> both = {};  ///< in that order, if the path is not PH
+  std::vector<Both> both = {};      ///< in that order, if the path is not PH
+  std::optional<Gauge> gauge = {};  ///< as asked
+  /// The segments of which the offsets under the gauge are not rational, and left out.
+  std::vector<GaugeOffsets::None> without = {};
 };
 
 /// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
 /// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
 /// distance 0, as trimmed_offset(), and for a pocket of an open path, at several distances, or to
-/// the outside.
+/// the outside; under a gauge as GaugeOffsets, where no segment has a rational offset, with the
+/// degrees of the factors of that, and for what is to be trimmed.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

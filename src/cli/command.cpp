@@ -318,12 +318,12 @@ NamedPath CurveOptions::read_any_path() const {
   }
   NamedPath named = read_near_or_any();
   const auto corners = phrame::corners(named.path);
-  if (corners.empty()) return named;
+  if (corners.empty() || (!most && !is_for_frames)) return named;
   const std::string file = name_of_file(path);
   if (most) refuse_corners_beyond(*most, corners, file);
   constexpr double rounding = 1e-6;
   const Corner& greatest = phrame::greatest(corners);
-  if (approximate(greatest.angle.enclose(64)) > rounding)
+  if (is_for_frames && approximate(greatest.angle.enclose(64)) > rounding)
     note(fmt::format(
         "{}: {}{}: frames turn there at once, by the least rotation, and curvature is "
         "infinite",
@@ -343,7 +343,7 @@ NamedPath CurveOptions::read_near_or_any() const {
   const auto* node = Exchange::content<JsonNode>(path);
   NamedPath read = node != nullptr ? read_any(*node, *this) : read_by(read_any<std::string>, *this);
   for (const std::string& text : read.notes) note(fmt::format("{}: {}", name_of_file(path), text));
-  if (read.path.is_ph()) return read;
+  if (read.path.is_ph() || !is_for_frames) return read;
   if (const auto near_one = suggestion_of(read.path))
     note_at_end(fmt::format(
         "{}: a PH curve is at most {} away; with --near {} the answer has a closed form",

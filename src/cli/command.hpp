@@ -43,6 +43,8 @@ struct CurveOptions {
   FileReading reading;
   std::string output = "-";
   std::optional<std::string> bytes = {};  ///< of the file, where it was read before
+  /// Does read_any_path() tell on stderr of corners and of PH curves nearby?
+  bool is_for_frames = true;
 
   void add_to(Command& command);
   /// All but -o, for a command with another one.

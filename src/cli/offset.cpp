@@ -1,5 +1,8 @@
 #include "phrame/answer/offset_check.hpp"
 
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
 #include "phrame/cli/boundary_printer.hpp"
 #include "phrame/cli/exchange.hpp"
 #include "phrame/io/write/names.hpp"
@@ -17,6 +20,7 @@ struct OffsetOptions {
   TextLength length;
   std::string output;
   long digits = 17;
+  std::optional<std::string> gauge;
   std::optional<std::string> given;
   std::string tolerance = "1e-6";
 };
@@ -56,6 +60,32 @@ NamedPath read_curve(CurveOptions options) {
     }
     std::rethrow_exception(not_ph);
   }
+}
+
+Gauge read_gauge(const std::string& file) {
+  CurveOptions options;
+  options.path = file;
+  options.is_for_frames = false;
+  const NamedPath named = options.read_any_path();
+  try {
+    return Gauge(named.path);
+  } catch (const DomainError& error) {
+    throw InputError(name_of_file(file), error.what());
+  }
+}
+
+/// A path of rational curves, each in a plane z = const.
+NamedPath read_plane_path(CurveOptions options) {
+  options.is_for_frames = false;
+  NamedPath named = options.read_any_path();
+  const auto is_plane = [](const Segment& segment) {
+    const RationalCurve* curve = rational_curve(segment);
+    return curve != nullptr && curve->direction()[2].is_zero();
+  };
+  if (!std::ranges::all_of(named.path.segments(), is_plane))
+    throw InputError(name_of_file(options.path),
+                     "under a gauge the path is of rational curves in a plane z = const");
+  return named;
 }
 
 /// A list of points or lines is a polyline; all else is a curve, or several, a line each.
@@ -106,8 +136,12 @@ void run_check(const OffsetOptions& options) {
 void run(const OffsetOptions& options) {
   if (options.given) return run_check(options);
   const BoundaryPrinter<OffsetAnswer> printer(options.print, write_offsets);
-  const OffsetQuery asked = query(options);
-  printer.write(answer(read_curve(options.curve), asked), options.output, options.length);
+  OffsetQuery asked = query(options);
+  if (options.gauge) asked.gauge = read_gauge(*options.gauge);
+  const OffsetAnswer found =
+      answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
+  printer.write(found, options.output, options.length);
+  if (!found.without.empty()) throw AnswerNo{};
 }
 
 }  // namespace
@@ -129,6 +163,9 @@ void add_offset(Program& program) {
       "--pocket", options->pocket,
       "of a closed path, trimmed, the offsets at the one distance, inwards, and at its\n"
       "multiples until nothing is left, one room after the other");
+  command.add_option("--gauge", "FILE", options->gauge,
+                     "offsets r + d U(phi), with U' along r', of any rational path: a file with a\n"
+                     "closed convex rational curve U that is symmetric about (0, 0)");
   command.add_option(
       "--check", "FILE", options->given,
       "how far that is from the exact offset, to both sides, proved: a table of points,\n"
@@ -149,6 +186,7 @@ void add_offset(Program& program) {
   options->length.add_to(command);
   command.only_with({"--tol"}, {"--check"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
+  command.not_with({"--trim", "--pocket", "--check"}, {"--gauge"});
   command.set_notes(
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
@@ -158,6 +196,10 @@ void add_offset(Program& program) {
       "what is nearer to the path than |d| is cut away, and the report\n"
       "has the branches that are left, in place of cusps and meetings.\n"
       "Behind a cusp at which the path turns back it is on the other side of travel.\n"
+      "With --gauge the unit circle is a curve U, whole for phi from -infinity to infinity: the\n"
+      "offset is rational, and exact, where r' x U' has a factor of degree 1 in phi; segments "
+      "that\n"
+      "have none are left out, with the exit status 1.\n"
       "With --check the exit status is 1 where what is given is not proved to be within --tol.\n"
       "Examples:\n"
       "  phrame offset curve.json --distance 1/2\n"
@@ -165,6 +207,7 @@ void add_offset(Program& program) {
       "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset outline.json --distance -1/2 --trim --check theirs.csv --tol 1e-3\n"
       "  phrame offset outline.json --distance -1/8 --pocket -o pocket.dxf\n"
+      "  phrame offset curve.json --distance 1/2 --gauge ellipse.json\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
   command.does(options, run);
 }

@@ -322,6 +322,78 @@ TEST_CASE("offset: of a parabola both sides are one curve, which other commands 
   CHECK(Json::parse(here.run("info turn.json --print json").out)["offset"]["kind"] == "each-side");
 }
 
+TEST_CASE("offset --gauge: an ellipse, by its file or as SVG, and the unit circle as without it") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  here.write("corner.json", corner);
+  here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
+  here.write("ellipse.svg", R"(<svg><ellipse rx="3" ry="2"/></svg>)");
+  for (const char* curve : {"turn.json", "corner.json"}) {
+    const auto paths = [&](const std::string& options) {
+      const Run run = here.run(std::string("offset ") + curve + " --distance -1,1/3 --print curve" +
+                               " --join mitre" + options);
+      check_success(run);
+      CHECK(run.err.empty());
+      return run.out;
+    };
+    CHECK(paths("") == paths(" --gauge circle.json"));
+  }
+  // (3(t - t³/3), 2t²) is the image of turn.json, of which the cusp at -1 is at √(√2 - 1).
+  here.write("wide.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [0, 3, 0, -1], "y": [0, 0, 2]}})");
+  const Run text = here.run("offset wide.json --distance -1 --gauge ellipse.svg");
+  check_success(text);
+  CHECK(contains(text.out, "closed convex rational curve of degree 2"));
+  CHECK(contains(text.out, "0.643594252905…, where it turns back"));
+  const Run json = here.run("offset wide.json --distance 1 --gauge ellipse.svg --print json");
+  check_success(json);
+  const Json answer = Json::parse(json.out);
+  CHECK(answer["without"].empty());
+  // Of t = 0, where U = (0, -2).
+  CHECK(answer["offsets"][0]["paths"][0]["control_points"][0] == Json({"0", "-2", "0"}));
+  CHECK(contains(here.run("offset wide.json --distance 1 --gauge ellipse.svg --print latex").out,
+                 "\\varphi"));
+  check_failure(here.run("offset turn.json --distance 1 --gauge ellipse.svg -o off.json"), 3,
+                "phrame: offset: the path has no rational offset under this gauge: the irreducible "
+                "factors of r' x U' are of degree 2 in phi\n");
+  here.write("slant.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [2, 1, 0]]}]})");
+  const Run slant = here.run("offset slant.json --distance 1 --gauge ellipse.svg");
+  CHECK(slant.status == 1);
+  CHECK(
+      contains(slant.out, "of segment 2: the irreducible factors of r′ × U′ are of degree 2 in φ"));
+  CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused in one line") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const auto refuse = [&](const std::string& position, const std::string& reason) {
+    here.write("gauge.json",
+               R"({"phrame": "curve/1", "basis": "power", "position": )" + position + "}");
+    check_failure(here.run("offset turn.json --distance 1 --gauge gauge.json -o off.json"), 2,
+                  "phrame: gauge.json: gauge: it is not " + reason);
+  };
+  refuse(R"({"x": [0, 1], "y": [0, 0, 1]})", "closed: it goes to infinity at phi = infinity\n");
+  refuse(R"({"x": [2], "y": [0, 2], "w": [1, 0, 1]})", "symmetric about (0, 0)");
+  refuse(R"({"x": [2, 0, 0, 0, -2], "y": [0, 4, 0, 4], "w": [3, 0, -2, 0, 3]})",
+         "strictly convex: U' x U'' = 0 at phi");
+  here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
+  for (const char* option : {"--trim", "--pocket", "--check turn.json"})
+    check_failure(
+        here.run(std::string("offset turn.json --distance 1 --gauge circle.json -o off.json ") +
+                 option),
+        2, "phrame: --");
+  check_failure(here.run("offset turn.json --distance 0 --gauge circle.json -o off.json"), 2,
+                "phrame: --distance: 0 is no distance\n");
+  check_failure(
+      here.run("offset quintic.json --distance 1 --gauge circle.json -o off.json"), 2,
+      "phrame: quintic.json: under a gauge the path is of rational curves in a plane z = const\n");
+  CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {
   const Workshop here;
   here.write("turn.json", turn);

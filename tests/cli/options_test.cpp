@@ -33,6 +33,8 @@ void prepare(const Workshop& here) {
   here.write("axis.json", R"({"phrame": "mph/1", "control_points": [[0, 0, 1], [5, 0, 4]]})");
   here.write("corner.json", R"({"phrame": "spline/1", "segments": [
       {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 1, 0]]}]})");
+  here.write("oval.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [3, 0, -3], "y": [0, 4], "w": [1, 0, 1]}})");
   here.write("points.json", R"({"phrame": "points/1", "points": [[0, 0], [1, 0]],
       "tangents": [[1, 1], [1, -2]]})");
   std::string curve = bytes_of(here.file("quintic.json"));
@@ -126,6 +128,7 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--places", "3"},
                                                 {"--distance", "1/4"},
                                                 {"--check", "plane.json"},
+                                                {"--gauge", "oval.json"},
                                                 {"--part", "1/4,3/2"},
                                                 {"--split", "1/3"},
                                                 {"--rotate", "z,90deg"},

@@ -30,6 +30,9 @@ CORNER = json.dumps({"phrame": "spline/1", "segments": [
 PLANE = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": ["1/100"]}})
 TURN = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})
 PARABOLA = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})
+ELLIPSE = json.dumps({"phrame": "curve/1", "basis": "power", "position": {"x": [3, 0, -3], "y": [0, 4], "w": [1, 0, 1]}})
+SLANT = json.dumps({"phrame": "spline/1", "segments": [
+    {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [2, 1, 0]]}]})
 THERE_AND_BACK = json.dumps({"phrame": "curve/1", "basis": "power", "multiplier": [1, -2],
                              "preimage": {"u": [1], "v": [0], "p": [0], "q": [0]}})
 NOT_PH = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]})
@@ -156,6 +159,9 @@ def check_command_line(folder):
     (here / "parabola.offset").write_text(PARABOLA)
     ask("offset", here / "parabola.offset", "--distance", "1/2", "--print", "json")
     ask("info", here / "parabola.offset", "--print", "json")
+    (here / "ellipse").write_text(ELLIPSE)
+    (here / "slant.offset").write_text(SLANT)
+    ask("offset", here / "slant.offset", "--distance", "1/2", "--gauge", here / "ellipse", "--print", "json")
     ask("offset", here / "corner.offset", "--distance", "1/2", "--check", here / "turn.offset", "--print", "json")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"

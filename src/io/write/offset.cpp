@@ -140,14 +140,14 @@ Field distance_field(const Rational& d) {
   return {"distance", "distance $d$", {Value::Words(words), [&] { return json_of(d); }}};
 }
 
-Fields fields(const Part& part) {
+Fields fields(const Part& part, bool is_euclidean = true) {
   Fields fields{distance_field(part.distance),
                 {"paths", "exact", paths_value(part.paths)},
-                {"cusps", "cusp, $1 + dκ = 0$", cusps_value(part)},
+                {"cusps", is_euclidean ? "cusp, $1 + dκ = 0$" : "cusp", cusps_value(part)},
                 {"self_intersections", "meets itself", meetings_value(part)},
                 {"inner_corners", "inner corner", corners_value(part)},
-                {"length", "length", measure_value(part.length)},
-                {"stretches", "  stretch", stretches_value(part)}};
+                {"length", "length", measure_value(part.length)}};
+  if (is_euclidean) fields.push_back({"stretches", "  stretch", stretches_value(part)});
   if (part.area) fields.push_back({"area", "signed area", measure_value(*part.area)});
   return fields;
 }
@@ -248,6 +248,33 @@ Fields fields(const OffsetAnswer::Both& part) {
           {"paths", "side", paths_value(part.paths)}};
 }
 
+/// The gauge, and the segments without an offset under it.
+Fields gauge_fields(const OffsetAnswer& answer) {
+  const Gauge& gauge = *answer.gauge;
+  const auto words = [&](Notation) {
+    return fmt::format("closed convex rational curve of degree {}", gauge.degree());
+  };
+  const auto json = [&]() -> JsonOutput {
+    return {
+        {"x", json_of(gauge.x())}, {"y", json_of(gauge.y())}, {"weight", json_of(gauge.weight())}};
+  };
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (const auto& [segment, degrees] : answer.without)
+      list.push_back(fmt::format(
+          "of segment {}: the irreducible factors of {} are of degree {} in {}", segment + 1,
+          formula("r′ × U′", notation), fmt::join(degrees, ", "), formula("φ", notation)));
+    return list;
+  };
+  const auto without = [](const GaugeOffsets::None& none) -> JsonOutput {
+    return {{"segment", none.segment}, {"degrees", none.degrees}};
+  };
+  return {{"gauge", "gauge $U(φ)$", {Value::Words(words), json}},
+          {"without", "no rational offset", {Value::Rows(rows), [&answer, without] {
+                                               return array_of(answer.without, without);
+                                             }}}};
+}
+
 }  // namespace
 
 std::string to_text(const OffsetAnswer& answer) {
@@ -255,21 +282,29 @@ std::string to_text(const OffsetAnswer& answer) {
   std::string text = heading(answer.path) + "\n";
   if (!answer.path.path.corners().empty() || closure(answer.path.path).at_corner)
     text += fmt::format("corners joined: {}\n", name_of(answer.join));
+  if (answer.gauge) text += "\n" + to_rows(gauge_fields(answer), width);
   const auto ph = answer.path.path.with_preimages();
   const std::string signs = ph ? notes_on_signs(*ph) : "";
   if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
-  for (const Part& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
+  for (const Part& part : answer.offsets)
+    text += "\n" + to_rows(fields(part, !answer.gauge), width);
   for (const auto& part : answer.trimmed) text += "\n" + to_rows(fields(part), width);
   for (const auto& part : answer.both) text += "\n" + to_rows(fields(part), width);
   return text;
 }
 
 std::string to_json(const OffsetAnswer& answer) {
-  const auto offset = [](const auto& part) { return json_of(fields(part)); };
+  const auto offset = [&](const auto& part) {
+    if constexpr (std::is_same_v<decltype(part), const Part&>)
+      return json_of(fields(part, !answer.gauge));
+    else
+      return json_of(fields(part));
+  };
   JsonOutput json = {{"phrame", "offset/1"},
                      {"name", answer.path.name},
                      {"closed", answer.is_closed},
                      {"join", name_of(answer.join)}};
+  if (answer.gauge) json.update(json_of(gauge_fields(answer)));
   if (!answer.both.empty())
     json["both"] = array_of(answer.both, offset);
   else if (answer.trimmed.empty())
@@ -282,7 +317,8 @@ std::string to_json(const OffsetAnswer& answer) {
 
 std::string to_latex(const OffsetAnswer& answer) {
   std::string text;
-  for (const Part& part : answer.offsets) text += to_align(fields(part));
+  if (answer.gauge) text += to_align(gauge_fields(answer));
+  for (const Part& part : answer.offsets) text += to_align(fields(part, !answer.gauge));
   for (const auto& part : answer.trimmed) text += to_align(fields(part));
   for (const auto& part : answer.both) text += to_align(fields(part));
   return text;

@@ -11,8 +11,6 @@
 // real points of that curve are those of U and finitely many others, which only complex φ lead to:
 // so −U is the curve U where it is on the same algebraic one. And U is traced k times where the
 // common factor for U and U itself has the degree k in ψ.
-//
-// A rational U(φ(t)) has a rational φ(t), as φ is a rational function of the point.
 #include "phrame/ph/offset/gauge.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +20,7 @@
 #include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/offset/gauge_normal.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -47,18 +46,6 @@ Bivariate common_factor(const GaugeVector& a, const GaugeVector& b) {
     return Bivariate(std::move(rows));
   };
   return gcd(gap(a.x, b.x), gap(a.y, b.y));
-}
-
-/// c(p, q) of the form of the degree n with these coefficients.
-Polynomial form_at(const Polynomial& c, long n, const GaugeParameter& at) {
-  Polynomial value;
-  Polynomial power{1};
-  for (long k = n; k >= 0; --k) {
-    value *= at.p;
-    value += c.coefficient(k) * power;
-    power *= at.q;
-  }
-  return value;
 }
 
 const RationalCurve& rational_part(const Segment& segment) {
@@ -90,13 +77,6 @@ void require_convex(const RationalCurve& curve, const GaugeVector& u) {
     refuse_gauge(fmt::format("it is not convex: it turns {} times as it goes round", level / 2));
 }
 
-/// An element of P¹(ℚ[t]) in lowest terms.
-GaugeParameter reduced(const Polynomial& p, const Polynomial& q) {
-  const Polynomial common = gcd(p, q);
-  const Rational content = common_content({p, q}) / common_content({common});
-  return {(1 / content) * exact_quotient(p, common), (1 / content) * exact_quotient(q, common)};
-}
-
 }  // namespace
 
 Gauge::Gauge(const Path& path) {
@@ -119,40 +99,6 @@ Gauge::Gauge(const Path& path) {
   y_ = u.y;
   weight_ = u.weight;
   direction_ = {curve.direction()[0], curve.direction()[1]};
-}
-
-GaugeVector vector_at(const Gauge& gauge, const GaugeParameter& at) {
-  const long n = gauge.degree();
-  return {form_at(gauge.x(), n, at), form_at(gauge.y(), n, at), form_at(gauge.weight(), n, at)};
-}
-
-std::variant<GaugeParameter, NoGaugeParameter> right_parameter(const Gauge& gauge,
-                                                               const RationalCurve& curve) {
-  const auto& [hx, hy, hz] = curve.direction();
-  const auto& [ux, uy] = gauge.direction();
-  const long e = std::max(ux.degree(), uy.degree());
-  std::vector<Polynomial> rows;
-  for (long k = 0; k <= e; ++k) rows.push_back(uy.coefficient(k) * hx - ux.coefficient(k) * hy);
-  const Bivariate across(std::move(rows));
-  std::vector<GaugeParameter> found;
-  NoGaugeParameter none;
-  const auto add = [&](GaugeParameter at) {
-    found.push_back(std::move(at));
-    none.degrees.push_back(1);
-  };
-  if (across.degree() < e) add({{1}, {}});  // of a straight line
-  for (const auto& [base, exponent] : factor(across)) {
-    if (base.degree() == 1)
-      add(reduced(-base.coefficient(0), base.coefficient(1)));
-    else
-      none.degrees.insert(none.degrees.end(), static_cast<std::size_t>(exponent), base.degree());
-  }
-  for (GaugeParameter& at : found) {
-    const GaugeVector u = vector_at(gauge, {{at.p(0)}, {at.q(0)}});
-    const Rational across_e1 = hx(0) * u.y(0) - hy(0) * u.x(0);
-    if (across_e1 * u.weight(0) < 0) return std::move(at);
-  }
-  return none;
 }
 
 }  // namespace phrame

@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/gauge_normal.hpp"
 #include "phrame/ph/offset/joined_offset.hpp"
 
 namespace phrame::inline v0 {
@@ -61,9 +62,16 @@ std::vector<RationalCurve> mitre(const PlaneCorner& corner, const PlaneDirection
 
 }  // namespace
 
-GaugeOffsets::GaugeOffsets(const Path& path, Gauge gauge)
-    : path_(path), is_closed_(path.is_closed()), gauge_(std::move(gauge)) {
-  const auto& segments = path_.segments();
+struct GaugeOffsets::State {
+  Path path;
+  bool is_closed;
+  Gauge gauge;
+  std::vector<std::optional<GaugeParameter>> parameters;  ///< of the segments
+};
+
+GaugeOffsets::GaugeOffsets(const Path& path, Gauge gauge) {
+  State state{path, path.is_closed(), std::move(gauge), {}};
+  const auto& segments = path.segments();
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const RationalCurve* curve = rational_curve(segments[k]);
     const auto fail = [&](const char* reason) {
@@ -73,48 +81,51 @@ GaugeOffsets::GaugeOffsets(const Path& path, Gauge gauge)
     };
     if (curve == nullptr) fail("is given by formulas, and no rational curve");
     if (!curve->direction()[2].is_zero()) fail("is in no plane z = const");
-    auto found = right_parameter(gauge_, *curve);
+    auto found = right_parameter(state.gauge, *curve);
     if (auto* parameter = std::get_if<GaugeParameter>(&found)) {
-      parameters_.emplace_back(std::move(*parameter));
+      state.parameters.emplace_back(std::move(*parameter));
       continue;
     }
-    parameters_.emplace_back();
+    state.parameters.emplace_back();
     none_.push_back({k, std::get<NoGaugeParameter>(found).degrees});
   }
+  state_ = std::make_shared<const State>(std::move(state));
 }
 
 Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
   if (d == 0) throw DomainError("offset: the distance is 0");
+  const auto& [path, is_closed, gauge, parameters] = *state_;
   std::vector<OffsetSegment> segments;
-  for (std::size_t k = 0; k < parameters_.size(); ++k) {
-    const RationalCurve& curve = *rational_curve(path_.segments()[k]);
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const RationalCurve& curve = *rational_curve(path.segments()[k]);
     const auto e1 = [&](const Rational& t) -> PlaneDirection {
       return {curve.direction()[0](t), curve.direction()[1](t)};
     };
     segments.push_back(
         {std::nullopt, point(curve, 0), e1(0), e1(1), sign_after_zero(curve.multiplier())});
-    if (!parameters_[k]) continue;
+    if (!parameters[k]) continue;
     segments[k].curve =
-        moved(curve.numerator(), curve.weight(), vector_at(gauge_, *parameters_[k]), d);
+        moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);
     if (segments[k].curve) segments[k].curve = with_direction(*segments[k].curve, e1(0));
   }
-  const auto at_corner = [&](const PlaneCorner& corner, std::size_t before, std::size_t after) {
+  const auto at_corner = [&, &parameters = parameters, &gauge = gauge](
+                             const PlaneCorner& corner, std::size_t before, std::size_t after) {
     std::vector<RationalCurve> pieces;
-    if (join == OffsetJoin::open || !parameters_[before] || !parameters_[after]) return pieces;
-    const GaugeParameter from = parameter_at(*parameters_[before], 1);
-    const GaugeParameter to = parameter_at(*parameters_[after], 0);
+    if (join == OffsetJoin::open || !parameters[before] || !parameters[after]) return pieces;
+    const GaugeParameter from = parameter_at(*parameters[before], 1);
+    const GaugeParameter to = parameter_at(*parameters[after], 0);
     if (join == OffsetJoin::round) {
       const auto& [x, y, z] = corner.at;
-      const GaugeVector arc = vector_at(gauge_, between(gauge_, from, to));
+      const GaugeVector arc = vector_at(gauge, between(gauge, from, to));
       pieces.push_back(*moved(Vector<Polynomial>{Polynomial{x}, {y}, {z}}, {1}, arc, d));
     } else {
-      pieces = mitre(corner, value(gauge_, from), value(gauge_, to), d);
+      pieces = mitre(corner, value(gauge, from), value(gauge, to), d);
     }
     for (RationalCurve& piece : pieces)
       if (corner.sign < 0) piece = piece.turned_over();
     return pieces;
   };
-  return joined_offset(d, std::move(segments), is_closed_, at_corner);
+  return joined_offset(d, std::move(segments), is_closed, at_corner);
 }
 
 }  // namespace phrame

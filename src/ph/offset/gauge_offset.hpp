@@ -27,10 +27,8 @@ class PHRAME_API GaugeOffsets {
   Offset at(const Rational& d, OffsetJoin join = OffsetJoin::round) const;
 
  private:
-  Path path_;
-  bool is_closed_;
-  Gauge gauge_;
-  std::vector<std::optional<GaugeParameter>> parameters_;  ///< of the segments
+  struct State;
+  std::shared_ptr<const State> state_;
   std::vector<None> none_;
 };
 
