@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::inline v0 {
@@ -113,6 +114,14 @@ SegmentTurning turning_of(const RationalCurve& curve) {
   return turning;
 }
 
+/// H times a power of 4, so that it and its products are in the range of doubles.
+Vector<Polynomial> scaled_direction(const RationalCurve& curve) {
+  Vector<Polynomial> h = curve.direction();
+  const Rational scale = scale_for_doubles(largest({evaluate(h, 0), evaluate(h, 1)}));
+  for (Polynomial& x : h) x *= scale;
+  return h;
+}
+
 /// Does p vanish on [0, 1], and never change its sign inside?
 bool goes_through_cusps(const Segment& segment) {
   const RationalCurve* curve = rational_curve(segment);
@@ -166,7 +175,7 @@ CurveSeries plane_series(const std::vector<RationalCurve>& segments,
   std::vector<Vector<Polynomial>> directions;
   for (const RationalCurve& curve : segments) {
     positions.emplace_back(curve);
-    directions.push_back(curve.direction());
+    directions.push_back(scaled_direction(curve));
     series.boxes.push_back(box_around(curve));
     series.turning.push_back(turning_of(curve));
   }

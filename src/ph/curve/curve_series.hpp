@@ -28,7 +28,7 @@ struct CurveSeries {
   /// r of a segment around t, as balls: where t is one, of all series around its points. Copies
   /// share what it is made from.
   Series position;
-  Series direction = {};                     ///< H likewise, where the turning is known
+  Series direction = {};                     ///< along H likewise, where the turning is known
   std::vector<SegmentTurning> turning = {};  ///< of the segments, or empty
   /// The segment that starts where each one ends, or no_segment. Empty where that is the next one,
   /// and of the last one the first.

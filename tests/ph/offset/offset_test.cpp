@@ -296,6 +296,12 @@ TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself 
   REQUIRE(meeting.found.size() == 1);
   CHECK(add(meeting.found[0].first_t, meeting.found[0].second_t, 128).contains(1));
   CHECK(self_intersections(offset(PhPath(bow), Rational(-2, 5))).found.empty());
+  // Of 200 digits, so that H has integers beyond doubles.
+  const Rational other = half + power_of_ten(-200);
+  const Curve long_bow({{1}, {}, {}, {-other, 2 * half}}, Polynomial{2 * half});
+  const SelfIntersections again = self_intersections(offset(PhPath(long_bow), Rational(-3, 5)));
+  CHECK(again.is_complete());
+  CHECK(again.found.size() == 1);
 }
 
 // The numbers are those of a picture of Farouki's slides; a polygon through 6000 points of this
