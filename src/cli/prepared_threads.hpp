@@ -10,6 +10,8 @@ namespace phrame::inline v0::cli {
 class PreparedThreads : public oneapi::tbb::task_scheduler_observer {
  public:
   PreparedThreads() { observe(true); }
+  PreparedThreads(const PreparedThreads&) = delete;
+  PreparedThreads& operator=(const PreparedThreads&) = delete;
   ~PreparedThreads() override { observe(false); }
   void on_scheduler_entry(bool is_worker) override {
     if (is_worker) prepare_thread();

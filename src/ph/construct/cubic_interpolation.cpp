@@ -113,7 +113,8 @@ Vectors rounded_slopes(const Chords& chords, const CubicInterpolation& data, lon
 }  // namespace
 
 // The greatest residual of a row, divided by its off-diagonal numbers' sum.
-Rational error_of_derivatives(const CubicInterpolation& data, const Vectors& x) {
+Rational error_of_derivatives(const CubicInterpolation& data, const Vectors& derivatives) {
+  const Vectors& x = derivatives;
   const Chords chords = chords_of(data);
   const auto rows = slope_rows(chords.steps, chords.slopes, data.ends,
                                {data.start_derivative, data.end_derivative});
