@@ -85,6 +85,8 @@ struct CompiledQuery;
 struct CompiledAnswer;
 struct ConstructQuery;
 struct ConstructionAnswer;
+struct AxisConstructionQuery;
+struct AxisConstructionAnswer;
 struct CoqQuery;
 struct CoqAnswer;
 struct IdentificationAnswer;

@@ -11,6 +11,7 @@
 
 // Questions and their answers.
 #include "phrame/answer/angle.hpp"
+#include "phrame/answer/axis_construction.hpp"
 #include "phrame/answer/camera_path.hpp"
 #include "phrame/answer/check.hpp"
 #include "phrame/answer/classification.hpp"

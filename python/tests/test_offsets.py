@@ -106,6 +106,12 @@ def test_an_envelope_by_ask():
         phrame.ask("envelope", {"phrame": "mph/1", "control_points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})
 
 
+def test_curves_with_radii_by_ask():
+    found = phrame.ask("construct", {"phrame": "points/1", "points": [[0, 0, 1], [3, 1, 2], [6, 0, 1]]}, kind="minkowski")
+    axis = {"phrame": "mph/1", "segments": found["segments"]}
+    assert [part["degree"] for part in phrame.ask("envelope", axis)["segments"]] == [5, 5]
+
+
 def test_what_has_no_offset():
     with pytest.raises(ValueError, match="0 is no distance"):
         CUBIC.offset(0)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "phrame/answer/axis_construction.hpp"
 #include "phrame/answer/construction.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/any_path.hpp"
@@ -15,6 +16,9 @@
 
 namespace phrame::inline v0::cli {
 namespace {
+
+/// The kind that makes no path.
+constexpr const char* minkowski = "minkowski";
 
 struct ConstructOptions {
   std::string data;
@@ -52,7 +56,7 @@ ConstructQuery query(const ConstructOptions& options) {
   ConstructQuery query;
   std::vector<std::pair<std::string, CurveKind>> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name, named.kind);
-  query.kind = choose("--kind", options.kind, kinds);
+  if (options.kind != minkowski) query.kind = choose("--kind", options.kind, kinds);
   query.choice = chosen_quintic(options);
   query.solution = options.solution;
   if (!options.tolerance.empty()) {
@@ -111,6 +115,19 @@ GivenPoints given_points(const Command& command, const ConstructOptions& options
   return read_waypoints(bytes, options.reading);
 }
 
+/// The curves with radii through points x, y, r.
+void run_axis(const GivenPoints& given, const ConstructOptions& options,
+              const Rational& tolerance) {
+  const auto print = choose<std::string (*)(const AxisConstructionAnswer&)>(
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"curve", write_axis}});
+  const AxisConstructionAnswer found = at_place(name_of_file(options.data), ":", [&] {
+    return answer(given, AxisConstructionQuery{tolerance});
+  });
+  if (!options.output.empty()) write_output(options.output, write_axis(found));
+  if (options.output.empty() || print != write_axis) options.length.write("-", print(found));
+}
+
 /// Where another axis is so much nearer to the chords that it may have been meant.
 void note_on_axis(const ConstructionAnswer& answer, const std::string& file) {
   if (!answer.poses || !answer.poses->better) return;
@@ -135,6 +152,7 @@ void run(const Command& command, const ConstructOptions& options) {
       given.points.front() != given.points.back())
     leave_parameters_out(given, "without that of the end of the closed curve");
   for (const std::string& text : notes_on_columns(given)) note(fmt::format("{}: {}", file, text));
+  if (options.kind == minkowski) return run_axis(given, options, asked.tolerance);
   const ConstructionAnswer found = at_place(file, ":", [&] { return answer(given, asked); });
   note_on_axis(found, file);
   if (!options.output.empty()) write_output(options.output, curve_of(found));
@@ -155,12 +173,14 @@ void add_construct(Program& program) {
                      "of a file with several curves, the one of this name");
   std::vector<std::string> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name);
+  kinds.emplace_back(minkowski);
   command.add_choice("--kind", options->kind, kinds,
                      "what to make: quintic (default); planar: in the plane z = 0; cubic: with\n"
                      "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
                      "a rational rotation-minimizing frame; rmf: with one that is the\n"
                      "Euler-Rodrigues frame; c2: through points, with continuous second\n"
-                     "derivatives; c2-hermite: with these given");
+                     "derivatives; c2-hermite: with these given; minkowski: curves with radii\n"
+                     "through points x, y, r, whose envelopes are rational");
   command.add_choice("--select", options->select, keys(quintic_selections()),
                      "which of the quintics: auto (default), minimal, bv, cc, shortest,\n"
                      "longest or energy");
@@ -193,6 +213,7 @@ void add_construct(Program& program) {
   command.add_list("--turns", "K,...", options->turns,
                    "of poses: so many revolutions more from each to the next");
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
+  command.not_with({"--closed", "--exact-points"}, {"--kind minkowski"});
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.writes("a curve in JSON there", {"json"});

@@ -414,3 +414,58 @@ TEST_CASE("construct: --kind c2-hermite meets accelerations") {
   check_failure(here.run("construct - --kind c2", data), 2,
                 "/accelerations: the kind c2 takes points and derivatives only");
 }
+
+TEST_CASE("construct --kind minkowski: curves with radii, which envelope reads, exact or near") {
+  const Workshop here;
+  here.write("radii.json", R"({"phrame": "points/1", "name": "bone",
+      "points": [[0, 0, 2], [3, 1, 1], [6, 0, "3/2"]],
+      "derivatives": [[3, 2, "-3/2"], [3, 0, 0], [3, -1, 1]]})");
+  const Run run = here.run("construct radii.json --kind minkowski --print json -o axis.json");
+  check_success(run);
+  const Json report = Json::parse(run.out);
+  CHECK(report["phrame"] == "construct-axis/1");
+  CHECK(number(report["deviation"]["points"]) <= 6e-15);
+  CHECK(number(report["deviation"]["derivatives"]) <= 3e-15);
+  CHECK(report["lightlike"] == Json::array({Json::array(), Json::array()}));
+  const Run text = here.run("construct radii.json --kind minkowski --tolerance 1e-30");
+  check_success(text);
+  CHECK(contains(text.out, "bone: 2 curves with radii"));
+  CHECK(contains(text.out, "proved; asked for: 6.0e-30"));
+  CHECK(contains(text.out, "spacelike       everywhere"));
+  const Run envelope = here.run("envelope axis.json --trim --print json");
+  check_success(envelope);
+  const Json found = Json::parse(envelope.out);
+  REQUIRE(found["segments"].size() == 2);
+  for (const Json& segment : found["segments"]) CHECK(segment["degree"] == 5);
+  // Neighbours have the derivative in common, so that there is no arc between them.
+  REQUIRE(found["branches"].size() == 1);
+  for (const Json& part : found["branches"][0]["parts"])
+    CHECK((part["on"] != "arc" || part["from"]["t"] != "1"));
+  const std::string curves = here.run("construct radii.json --kind minkowski --print curve").out;
+  CHECK(curves == bytes_of(here.file("axis.json")));
+  const Run line = here.run("construct - --kind minkowski",
+                            R"({"phrame": "points/1", "points": [[0, 0, 1], [5, 0, 4]],
+                                "derivatives": [[5, 0, 3], [5, 0, 3]]})");
+  CHECK(contains(line.out, "points met      exact, proved"));
+  CHECK(contains(here.run("construct radii.json --kind minkowski --print latex").out, "align*"));
+}
+
+TEST_CASE("construct --kind minkowski: what has no curve with radii is refused in one line") {
+  const Workshop here;
+  const auto refuse = [&](const std::string& options, const std::string& data, int status,
+                          const std::string& reason) {
+    check_failure(here.run("construct - --kind minkowski -o axis.json " + options, data), status,
+                  "phrame: " + reason);
+    CHECK_FALSE(std::filesystem::exists(here.file("axis.json")));
+  };
+  const auto points = [](const std::string& rest) {
+    return R"({"phrame": "points/1", "points": )" + rest + "}";
+  };
+  refuse("", points("[[0, 0], [1, 1]]"), 2,
+         "standard input:/points: the kind minkowski wants points x, y, r");
+  refuse("", points("[[0, 0, 1], [1, 1, -1]]"), 2, "standard input: the radius at point 2 is -1\n");
+  refuse("", points(R"([[0, 0, 1], [1, 1, 1]], "derivatives": [[1, 0, 0], [1, 1, 2]])"), 3,
+         "the derivative at point 2 has x'^2 + y'^2 < r'^2");
+  refuse("--closed", points("[[0, 0, 1], [1, 1, 1], [2, 0, 1]]"), 2, "--closed");
+  refuse("--exact-points", points("[[0, 0, 1], [1, 1, 1]]"), 2, "--exact-points");
+}

@@ -30,6 +30,7 @@ CORNER = json.dumps({"phrame": "spline/1", "segments": [
 PLANE = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": ["-1/2", 1], "v": [0], "p": [0], "q": ["1/100"]}})
 TURN = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})
 PARABOLA = json.dumps({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})
+RADII = json.dumps({"phrame": "points/1", "points": [[0, 0, 1], [1, 1, 1], [2, 0, 1]]})
 ELLIPSE = json.dumps({"phrame": "curve/1", "basis": "power", "position": {"x": [3, 0, -3], "y": [0, 4], "w": [1, 0, 1]}})
 SLANT = json.dumps({"phrame": "spline/1", "segments": [
     {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [2, 1, 0]]}]})
@@ -150,6 +151,8 @@ def check_command_line(folder):
                 ask("offset", curve, "--distance", "-1,1/2", "--join", join, "--trim", "--print", "json")
             if join != "open":
                 ask("offset", curve, "--distance", "1/2", "--join", join, "--print", "curve")
+    (here / "radii.points").write_text(RADII)
+    ask("construct", here / "radii.points", "--kind", "minkowski", "--print", "json")
     for k, text in enumerate(AXES):
         axis = here / f"{k}.axis"
         axis.write_text(text)

@@ -27,6 +27,13 @@ PHRAME_API std::string to_text(const ConstructionAnswer& answer);
 PHRAME_API std::string to_json(const ConstructionAnswer& answer);
 PHRAME_API std::string to_latex(const ConstructionAnswer& answer);
 /// @}
+/// @{ construct-axis/1.
+PHRAME_API std::string to_text(const AxisConstructionAnswer& answer);
+PHRAME_API std::string to_json(const AxisConstructionAnswer& answer);
+PHRAME_API std::string to_latex(const AxisConstructionAnswer& answer);
+/// The curves as mph/1.
+PHRAME_API std::string write_axis(const AxisConstructionAnswer& answer);
+/// @}
 /// @{ identify/1.
 PHRAME_API std::string to_text(const IdentificationAnswer& answer);
 PHRAME_API std::string to_json(const IdentificationAnswer& answer);

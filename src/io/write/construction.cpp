@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/answer/axis_construction.hpp"
 #include "phrame/answer/construction.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
@@ -309,7 +310,90 @@ std::string latex_table(const ConstructionAnswer& answer) {
   return text + "\\end{tabular}\n";
 }
 
+JsonOutput json_of(const MinkowskiCurve& curve) {
+  const auto& [u, v, p, q] = curve.preimage;
+  const auto& [x, y, r] = curve.start;
+  return {
+      {"basis", "power"},
+      {"preimage", {{"u", json_of(u)}, {"v", json_of(v)}, {"p", json_of(p)}, {"q", json_of(q)}}},
+      {"multiplier", json_of(curve.multiplier)},
+      {"start", {to_string(x), to_string(y), to_string(r)}}};
+}
+
+JsonOutput segments_json(const AxisConstructionAnswer& answer) {
+  return array_of(answer.axis.segments, [](const MinkowskiCurve& curve) { return json_of(curve); });
+}
+
+Value spacelike_value(const AxisConstructionAnswer& answer) {
+  const auto rows = [&](Notation notation) {
+    std::vector<std::string> list;
+    for (std::size_t k = 0; k < answer.lightlike.size(); ++k)
+      for (const RealAlgebraic& t : answer.lightlike[k])
+        list.push_back(fmt::format("but in segment {} at {}", k + 1, at_place(t, notation)));
+    if (list.empty()) list.emplace_back("everywhere");
+    return list;
+  };
+  const auto places = [](const std::vector<RealAlgebraic>& list) {
+    return array_of(list, [](const RealAlgebraic& t) { return json_of(t); });
+  };
+  return {Value::Rows(rows), [&answer, places] { return array_of(answer.lightlike, places); }};
+}
+
+Fields fields(const AxisConstructionAnswer& answer) {
+  const auto bounds = [](const Deviation& x) -> JsonOutput {
+    return {{"points", upper_bound_text(x.points)},
+            {"derivatives", upper_bound_text(x.derivatives)}};
+  };
+  const Deviation& found = answer.deviation;
+  const Deviation& asked = answer.tolerance;
+  const std::size_t count = answer.axis.segments.size();
+  Fields fields{json_field("phrame", "construct-axis/1"),
+                json_field("name", answer.axis.name),
+                json_field("kind", "minkowski"),
+                words_field("kind", "minkowski"),
+                words_field("data", counted(answer.data.points.size(), "point") + " x, y, r"),
+                json_field("derivatives_from", name_of(answer.derivatives_from)),
+                words_field("  derivatives", name_of(answer.derivatives_from)),
+                json_field("parameters_from", name_of(answer.parameters_from)),
+                words_field("  parameters", name_of(answer.parameters_from)),
+                {"parameters",
+                 "",
+                 {Value::Rows(),
+                  [&] {
+                    return array_of(answer.data.parameters,
+                                    [](const Rational& t) { return to_string(t); });
+                  }}},
+                json_field("tolerance", bounds(asked)),
+                json_field("deviation", bounds(found)),
+                bound_field("points met", found.points, asked.points),
+                bound_field("derivatives", found.derivatives, asked.derivatives)};
+  if (count > 1) fields.push_back(words_field("joints", joints_text(Continuity::c1)));
+  fields.push_back({"lightlike", "spacelike", spacelike_value(answer)});
+  fields.push_back({"segments", "", {Value::Rows(), [&] { return segments_json(answer); }}});
+  return fields;
+}
+
 }  // namespace
+
+std::string to_text(const AxisConstructionAnswer& answer) {
+  const std::string& name = answer.axis.name;
+  return fmt::format("{}{} with radii, Minkowski PH quintics\n\n{}",
+                     name.empty() ? "" : name + ": ", counted(answer.axis.segments.size(), "curve"),
+                     to_rows(fields(answer), 14));
+}
+
+std::string to_json(const AxisConstructionAnswer& answer) {
+  return pretty(json_of(fields(answer)));
+}
+
+std::string to_latex(const AxisConstructionAnswer& answer) { return to_align(fields(answer)); }
+
+std::string write_axis(const AxisConstructionAnswer& answer) {
+  JsonOutput json = {{"phrame", "mph/1"}};
+  if (!answer.axis.name.empty()) json["name"] = answer.axis.name;
+  json["segments"] = segments_json(answer);
+  return pretty(json);
+}
 
 std::string to_text(const ConstructionAnswer& answer) {
   return heading(answer.path) + "\n\n" + to_rows(fields(answer), 14) + segment_table(answer);
