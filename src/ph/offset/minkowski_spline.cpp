@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "phrame/algebra/error.hpp"
@@ -123,7 +124,7 @@ class MinkowskiChain {
   Rational rounded(const Rational& x) const { return places_ ? rounded_to_places(x, *places_) : x; }
   Pair rounded(const Pair& a) const { return {rounded(a[0]), rounded(a[1])}; }
 
-  /// With V(w, v) = d and σ ≥ 0, both about as large; for r = 0 v is (b, a).
+  /// With V(w, v) = d and σ ≥ 0, both as large: where r′ = 0 v is ±(b, a).
   NullPair pair_of(const Vector<Rational>& d) {
     const Rational s = root(minkowski_square(d));
     const std::array<Pair, 2> rows{Pair{d[0] + d[2], s + d[1]}, Pair{s - d[1], d[0] - d[2]}};
@@ -141,17 +142,8 @@ class MinkowskiChain {
     const auto size = [](const Pair& a) -> Rational { return a[0] * a[0] + a[1] * a[1]; };
     const Rational ratio = size(found.v) / size(found.w);
     // Where it is to be exact any factor is right.
-    if (places_) found = boosted(root(root(ratio)), found);
-    if (!places_ && ratio > 0) found = boosted(short_root(short_root(ratio)), found);
-    found.w = rounded(found.w);
-    found.v = d[2] == 0 && places_ ? rounded(mirrored(found)) : rounded(found.v);
-    return found;
-  }
-
-  /// (b, a), or −(b, a) where x < 0.
-  static Pair mirrored(const NullPair& a) {
-    const Pair v{a.w[1], a.w[0]};
-    return v[0] * a.v[0] + v[1] * a.v[1] < 0 ? Rational(-1) * v : v;
+    found = boosted(places_ ? root(root(ratio)) : short_root(short_root(ratio)), found);
+    return {rounded(found.w), rounded(found.v)};
   }
 
   /// What V(B, C) is to be.
@@ -221,15 +213,19 @@ void require_spacelike(const HermiteSpline& data) {
           k + 1));
 }
 
-/// About what the rounding of w and v asks for.
+/// About what the rounding of w and v asks for; those of small derivatives, too, have some bits.
 long first_places(const HermiteSpline& data, const Deviation& tolerance) {
   Rational size = size_of_derivatives(data);
   for (std::size_t k = 0; k < data.segments(); ++k)
     size = std::max(size, Rational(largest(data.points[k + 1] - data.points[k]) / data.step(k)));
+  constexpr long least_bits = 24;
+  long places = std::numeric_limits<long>::min();
+  for (const Vector<Rational>& d : data.derivatives)
+    places = std::max(places, least_bits - binary_exponent(largest(d)) / 2);
   const Rational reach = data.parameters.back() - data.parameters.front();
-  return binary_exponent(size) / 2 + 4 -
-         std::min(binary_exponent(tolerance.derivatives),
-                  binary_exponent(tolerance.points / reach));
+  return std::max(places, binary_exponent(size) / 2 + 4 -
+                              std::min(binary_exponent(tolerance.derivatives),
+                                       binary_exponent(tolerance.points / reach)));
 }
 
 }  // namespace
