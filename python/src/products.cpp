@@ -17,7 +17,30 @@ nb::object structured(const FrameTable& table) {
       .attr("reshape")(-1);
 }
 
-nb::object interpolate(const PathObject& self, nb::handle feed, nb::handle period) {
+/// Of the acceleration.
+Feedrate::Limits motion_limits(nb::handle normal, nb::handle tangential, nb::handle start_speed,
+                               nb::handle end_speed) {
+  const auto limit = [](nb::handle x, const char* place) {
+    if (x.is_none()) return std::optional<Rational>();
+    const Rational value = rational(x, place);
+    if (value <= 0) refuse(place, "it is not positive", x);
+    return std::optional(value);
+  };
+  const auto speed = [&](nb::handle x, const char* place) {
+    if (x.is_none()) return Rational(0);
+    if (tangential.is_none()) refuse(place, "it needs max_tangential_acceleration", x);
+    const Rational value = rational(x, place);
+    if (value < 0) refuse(place, "it is negative", x);
+    return value;
+  };
+  return {limit(normal, "max_normal_acceleration"),
+          limit(tangential, "max_tangential_acceleration"), speed(start_speed, "start_speed"),
+          speed(end_speed, "end_speed")};
+}
+
+nb::object interpolate(const PathObject& self, nb::handle feed, nb::handle period,
+                       nb::handle normal, nb::handle tangential, nb::handle start_speed,
+                       nb::handle end_speed) {
   InterpolationQuery query;
   query.period = rational(period, "period");
   if (query.period <= 0) refuse("period", "it is not positive", period);
@@ -30,6 +53,7 @@ nb::object interpolate(const PathObject& self, nb::handle feed, nb::handle perio
       refuse("feed", error.what(), feed);
     }
   }
+  query.feedrate.limits = motion_limits(normal, tangential, start_speed, end_speed);
   try {
     return structured(without_gil([named = self.named, query] { return answer(named, query); }));
   } catch (const InputError& error) {
@@ -142,11 +166,18 @@ nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle j
 
 void bind_products(PathClass& path) {
   path.def("interpolate", interpolate, argument("feed"), argument("period"),
-           nb::sig("def interpolate(self, feed: Number, period: Number) -> "
+           argument("max_normal_acceleration") = nb::none(),
+           argument("max_tangential_acceleration") = nb::none(),
+           argument("start_speed") = nb::none(), argument("end_speed") = nb::none(),
+           nb::sig("def interpolate(self, feed: Number, period: Number, "
+                   "max_normal_acceleration: Number | None = None, "
+                   "max_tangential_acceleration: Number | None = None, "
+                   "start_speed: Number | None = None, end_speed: Number | None = None) -> "
                    "numpy.typing.NDArray[numpy.void]"),
            "The points of a motion with the speed `feed`, a number or a function of s, t or kappa "
            "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
-           "z.")
+           "z. With a limit of the acceleration `feed` is the greatest speed, and the motion the "
+           "fastest one; then, and with a feed of formulas, there is v, its speed, too.")
       .def("offset", offset_paths, argument("distance"), argument("join") = "round",
            argument("trim") = false, argument("pocket") = false,
            nb::sig("def offset(self, distance: Number, join: str = \"round\", trim: bool = False, "

@@ -34,6 +34,7 @@ REAL = THETA.value(1)
 POINTS = [[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]]
 LISTS = {name: [1, 2] for name in "uvpq"}
 START = {"start": 0, "start_normal": None}
+LIMITS = {"max_normal_acceleration": None, "max_tangential_acceleration": None, "start_speed": None, "end_speed": None}
 ARRAY = {"ts": [0, 1], **START, "up": None, "kind": "rmf", "by": "t", "roll": None, "progress": None}
 CHECK = {"ts": [0, 1], "f2": [[0, 1, 0], [0, 0, 1]], "f3": None, "tangents": None, "tolerance": 1, **START, "up": None}
 CURVE = {"multiplier": None, "start": None, "name": "", "basis": "power"}
@@ -83,7 +84,7 @@ API = {
     "Path.classify": (QUINTIC.classify, {}),
     "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
     "Path.check": (QUINTIC.check, CHECK),
-    "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1}),
+    "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1, **LIMITS}),
     "Path.offset": (phrame.Curve([1], [0], [0], [0, 1]).offset, {"distance": 1, "join": "round", "trim": False, "pocket": False}),
     "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1, "up": None}),
     "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
@@ -203,7 +204,7 @@ OF_ANY_KIND = {
     "Path.angle": (CUBIC.angle, {"frame": "up", **START, "form": "auto", "up": None}),
     "Path.check": (CUBIC.check, CHECK),
     "Path.minimal_twist": (CUBIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
-    "Path.interpolate": (CUBIC.interpolate, {"feed": 1, "period": 1}),
+    "Path.interpolate": (CUBIC.interpolate, {"feed": 1, "period": 1, **LIMITS}),
     "Path.compile": (CUBIC.compile, {"prefix": None, "frame": "up", **START, "lower": 0, "upper": 1, "up": None}),
     "Path.page": (CUBIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
     "Angle.value": (CUBIC.angle().value, {"t": 1, "digits": None}),

@@ -34,6 +34,10 @@ def test_motions():
         assert np.abs(rows - path.points(motion["t"])).max() < 1e-14
     slower = QUINTIC.interpolate("1 + t", "1/8")
     assert slower["time"][-1] > QUINTIC.interpolate(2, "1/8")["time"][-1]
+    limited = QUINTIC.interpolate("min(2, 1 + s)", "1/8", max_tangential_acceleration=1, start_speed=1, end_speed="1/2")
+    assert limited.dtype.names[-1] == "v" and limited["v"][0] == 1 and limited["v"][-1] == 0.5
+    with pytest.raises(ValueError, match="start_speed: it needs max_tangential_acceleration"):
+        QUINTIC.interpolate(2, 1, start_speed=1)
 
 
 @by_program
@@ -41,6 +45,10 @@ def test_motions_headers_and_bodies_are_those_of_the_program(tmp_path):
     lines = program("interpolate", FILE, "--period", "1/4", "--feed", "1 + s").decode().splitlines()
     motion = phrame.read(FILE).interpolate("1 + s", Fraction(1, 4))
     assert [tuple(map(float, line.split(","))) for line in lines[1:]] == motion.tolist()
+    limits = {"max-normal-acceleration": "1", "max-tangential-acceleration": "3/2"}
+    lines = program("interpolate", FILE, "--period", "1/4", "--feed", "2", *(x for k, v in limits.items() for x in ("--" + k, v)))
+    motion = phrame.read(FILE).interpolate(2, Fraction(1, 4), **{k.replace("-", "_"): v for k, v in limits.items()})
+    assert [tuple(map(float, line.split(","))) for line in lines.decode().splitlines()[1:]] == motion.tolist()
     header = program("compile", FILE, "--prefix", "arm", "--theta0", "pi/4", "--to", "2").decode()
     assert phrame.read(FILE).compile("arm", start="pi/4", upper=2) == header
     wave = ROOT / "examples/any/wave.svg"

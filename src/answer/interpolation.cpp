@@ -28,6 +28,7 @@ class NearPoints {
   NearPoints(const Path& path, const InterpolationQuery& query, const Integer& ticks)
       : period_(query.period) {
     const RationalFunction& V = query.feedrate.speed;
+    if (!query.feedrate.is_rational()) return;
     if (!V.numerator().is_constant() || !V.denominator().is_constant()) return;
     if (ticks < Integer(static_cast<long>(many_rows(path, true)))) return;
     speed_ = V.numerator().coefficient(0) / V.denominator().coefficient(0);
@@ -71,11 +72,13 @@ FrameTable answer(const NamedPath& named, const InterpolationQuery& query) {
   require_few_rows(query, ticks);
   FrameTable table{
       {"k", "time", "t", "s", "x", "y", "z"}, {}, "interpolation/1", 0, {}, named.near};
+  if (!query.feedrate.is_rational()) table.columns.emplace_back("v");
   const auto append = [&](const Integer& k, const Real& at, const TravelTime::Point& point) {
     std::vector<double> row{round_to_double(Rational(k)), round_to_double(at),
                             round_to_double(parameter(point.at)),
                             round_to_double(point.arc_length)};
     for (const Real& x : position(path, point.at)) row.push_back(round_to_double(x));
+    if (point.speed) row.push_back(round_to_double(*point.speed));
     add_row(table, std::move(row), [&k] { return "point " + k.str(); });
   };
   Stage stage("rows", static_cast<std::size_t>(static_cast<long>(ticks)));

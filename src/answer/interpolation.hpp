@@ -14,10 +14,10 @@ struct InterpolationQuery {
 };
 
 /// Those points and the end of the path, whose k is the next and whose time is the total. The
-/// columns are k, time, t, s (arc length), x, y, z, all correctly rounded; as JSON,
-/// interpolation/1. Throws DomainError for a period ≤ 0 and as TravelTime, InputError without a
-/// place where there are too many rows, and with one where a number is too large for a double,
-/// Undecided where a precision limit is reached.
+/// columns are k, time, t, s (arc length), x, y, z, all correctly rounded, and v, the speed, where
+/// that is no rational function or has limits; as JSON, interpolation/1. Throws DomainError for a
+/// period ≤ 0 and as TravelTime, InputError without a place where there are too many rows, and with
+/// one where a number is too large for a double, Undecided where a precision limit is reached.
 PHRAME_API FrameTable answer(const NamedPath& path, const InterpolationQuery& query);
 
 /// Throws InputError where `ticks` and the end are too many rows.

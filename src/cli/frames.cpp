@@ -5,9 +5,9 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/camera_path.hpp"
 #include "phrame/answer/table_row.hpp"
+#include "phrame/cli/feed_options.hpp"
 #include "phrame/cli/row_stream.hpp"
 #include "phrame/cli/twist_options.hpp"
-#include "phrame/io/read/feedrate.hpp"
 #include "phrame/io/write/camera.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/names.hpp"
@@ -32,7 +32,7 @@ struct FramesOptions {
   bool skips_undefined = false;
   std::optional<std::string> duration;  ///< of a camera path, in seconds
   std::string fps = "24";               ///< frames a second, in Blender
-  std::optional<std::string> feed;      ///< the motion, where rows are at times of one
+  FeedOptions feed;                     ///< the motion, where rows are at times of one
 };
 
 const std::vector<std::string>& camera_formats() {
@@ -168,10 +168,9 @@ void require_frames(const TableColumns& columns, const PathAngle& angle) {
 
 /// The rows at the times of a motion.
 AskedRows rows_at_times(const NamedPath& named, const FramesOptions& options) {
-  if (!options.feed) throw InputError("--by", "\"time\" needs --feed");
+  if (!options.feed.feed) throw InputError("--by", "\"time\" needs --feed");
   if (options.twist.subdivide) throw InputError("--subdivide", "does not apply with --by time");
-  TravelTime motion(named.path,
-                    at_place("--feed", ", ", [&] { return parse_feedrate(*options.feed); }));
+  TravelTime motion(named.path, options.feed.feedrate());
   std::vector<Rational> times = options.parameters.given();
   std::vector<Place> at;
   for (const Rational& time : times) at.push_back(motion.at_time(time).at);
@@ -343,9 +342,10 @@ void add_frames(Program& program) {
   const auto options = std::make_shared<FramesOptions>();
   options->curve.add_to(command);
   options->parameters.add_to(command, {"--subdivide"}, true);
-  command.add_option("--feed", "EXPR", options->feed,
-                     "the speed of the motion, as of phrame interpolate: 50, or '10 + 2*s'");
+  options->feed.add_to(command,
+                       "the speed of the motion, as of phrame interpolate: 50, or '10 + 2*s'");
   command.only_with({"--feed"}, {"--by time"});
+  command.only_with({"--max-normal-acceleration", "--max-tangential-acceleration"}, {"--feed"});
   command.add_choices(
       "--frame", options->frames, keys(frame_names()),
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"

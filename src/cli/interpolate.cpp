@@ -1,7 +1,6 @@
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/answer/machine_path.hpp"
-#include "phrame/cli/command.hpp"
-#include "phrame/io/read/feedrate.hpp"
+#include "phrame/cli/feed_options.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/gcode.hpp"
 
@@ -11,7 +10,7 @@ namespace {
 struct InterpolateOptions {
   CurveOptions curve;
   std::string period;
-  std::string feed;
+  FeedOptions feed;
   std::string format = "csv";
   std::string tool = "f3";  ///< in G-code
   long places = 4;
@@ -52,7 +51,7 @@ void run(const Command& command, const InterpolateOptions& options) {
       {{"csv", to_csv}, {"json", to_json}, {"npy", to_npy}, {"gcode", nullptr}});
   const Rational period = parse_option("--period", options.period);
   if (period <= 0) throw InputError("--period", as_written(period) + " is not positive");
-  const Feedrate feed = at_place("--feed", ", ", [&] { return parse_feedrate(options.feed); });
+  const Feedrate feed = options.feed.feedrate();
   const NamedPath path = options.curve.read_any_path();
   const InterpolationQuery query{feed, period};
   write_output(options.curve.output, format == nullptr
@@ -69,8 +68,10 @@ void add_interpolate(Program& program) {
   command.add_option("--period", "TIME", options->period,
                      "the time from one point to the next, such as 1/1000");
   command.require("--period");
-  command.add_option("--feed", "EXPR", options->feed,
-                     "the speed V: a constant, or a rational function of s, t or kappa");
+  options->feed.add_to(
+      command,
+      "the speed V: a constant, or a function of s, t or kappa with sqrt, sin or exp;\n"
+      "min and max of such, and pieces, 's < 3 ? 10 : 20'");
   command.require("--feed");
   command.add_format("--format", options->format, {"csv", "json", "npy", "gcode"},
                      "csv (default), json, npy, or gcode: for a machine with the axes X Y Z A C");
@@ -87,6 +88,7 @@ void add_interpolate(Program& program) {
   command.only_with({"--tool", "--places", "--start", "--theta0", "--start-normal"},
                     {"--format gcode"});
   command.only_with({"--up"}, {"--start up"});
+  command.only_with({"--start-speed", "--end-speed"}, {"--max-tangential-acceleration"});
   command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"
@@ -94,6 +96,8 @@ void add_interpolate(Program& program) {
       "Along a spline, time, t, s and V run on through the joints.\n"
       "V is positive and a function of one of s (arc length from t = 0), t (parameter) and kappa\n"
       "(curvature of a plane curve, > 0 in a left turn). A product needs its sign: 2*s, not 2s.\n"
+      "With a limit of the acceleration V is the greatest speed, and the motion the fastest one\n"
+      "under all limits, each by itself; column v is its speed.\n"
       "In G-code times are in seconds, F is 1/minutes of a move (G93), and X, Y, Z are the tip of\n"
       "the tool: tool center point control must be on. A and C, in degrees, are those of a tool\n"
       "along (sin C sin A, -cos C sin A, cos A); they go on without jumps, and where A is 0 or "
@@ -104,6 +108,8 @@ void add_interpolate(Program& program) {
       "  phrame interpolate curve.json --period 1/1000 --feed '10 + 2*s' -o points.csv\n"
       "  phrame interpolate curve.json --period 0.01 --feed '5 + t^2' --format json\n"
       "  phrame interpolate plane.json --period 0.01 --feed '5/(1 + 2*kappa)'\n"
+      "  phrame interpolate curve.json --period 0.01 --feed 50 --max-normal-acceleration 800 \\\n"
+      "    --max-tangential-acceleration 500\n"
       "  phrame interpolate curve.json --period 0.01 --feed 50 --tool f2 -o path.nc");
   command.does(options, run);
 }

@@ -155,9 +155,13 @@ const std::vector<Case> cases{
     {"SciPy", "construct @hermite.json --kind planar --solution 3", 0, {"9361.82\n"}},
     // DESC 1535: the curvature is 0 at p = 0 and π.
     {"DESC", "info @axis.json", 0, {"7.0631900898132"}},
-    // Speeds that are no rational functions: toppra 150, ArcWelder 33.
-    {"toppra", "interpolate @hermite.json --period 1 --feed 'sqrt(1 + 2*s)'", 2, {}, "\"sqrt\""},
-    {"toppra", "interpolate @hermite.json --period 1 --feed 'min(1, s)'", 2, {}, "--feed, column"},
+    // Speeds that are no rational functions: toppra 150, ArcWelder 33. v = 1 + time with the first.
+    {"toppra",
+     "interpolate @hermite.json --period 1 --feed 'sqrt(1 + 2*s)'",
+     0,
+     {",1.5,2.0119", ",2\n",
+      "3,2.2551733970701675,1,4.7980769224966675,5,2,0,3.2551733970701675\n"}},
+    {"toppra", "interpolate @hermite.json --period 1 --feed 'min(1, s)'", 3, {}, "at t = 0"},
     // suica 105, Cinemachine 997: radius and roll in the table.
     {"suica",
      "sweep @radius.csv --profile circle:1 --scale-column radius -o out.glb",

@@ -1,18 +1,23 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "phrame/algebra/rational_function.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/curve.hpp"
+#include "phrame/ph/curve/formula.hpp"
 
 namespace phrame::inline v0 {
 
 /// A feedrate: the speed V = ds/dt at which a tool moves along a path, a rational function of one
 /// of its own quantities. Constant, linear or quadratic in the arc length, any polynomial in the
-/// parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008].
+/// parameter, V₀/(1 + κd) for a plane curve: all are of this kind [Farouki 2008]. Beside these
+/// there are formulas, their least and greatest, in pieces; and limits of the acceleration, with
+/// which V is not the speed but the greatest one, and the motion is the fastest under all of them.
 struct Feedrate {
   /// The quantity that the speed is a function of.
   enum class Of {
@@ -20,9 +25,41 @@ struct Feedrate {
     parameter,   ///< t
     curvature,   ///< κ, signed, of a plane curve
   };
-  RationalFunction speed;  ///< V, of that quantity
-  Of of = Of::arc_length;  ///< which one it is
+  /// A formula of one of them.
+  struct Function {
+    Formula speed;  ///< V, of that quantity
+    Of of;          ///< which one it is
 
+    friend bool operator==(const Function&, const Function&) = default;
+  };
+  /// V on a part of the path.
+  struct Piece {
+    /// The least of these greatest ones: min(a, max(b, c)) is {{a}, {b, c}}.
+    std::vector<std::vector<Function>> least_of;
+    std::optional<Rational> end = {};  ///< where it ends; of the last piece there is none
+
+    friend bool operator==(const Piece&, const Piece&) = default;
+  };
+  /// Of the acceleration, each by itself: |a|² is the sum of both squares.
+  struct Limits {
+    std::optional<Rational> normal = {};      ///< κv² ≤ it, > 0
+    std::optional<Rational> tangential = {};  ///< |dv/dt| ≤ it, > 0
+    /// @{ v at the start and at the end of the path, ≥ 0, where there is a tangential limit.
+    Rational start_speed = 0;
+    Rational end_speed = 0;
+    /// @}
+
+    friend bool operator==(const Limits&, const Limits&) = default;
+  };
+
+  RationalFunction speed = {};       ///< V, of that quantity
+  Of of = Of::arc_length;            ///< which one it is
+  std::vector<Piece> pieces = {};    ///< V where there are any: `speed` is none then
+  bool ends_are_parameters = false;  ///< are the ends of pieces t, and not s?
+  Limits limits = {};                ///< of the acceleration
+
+  /// Is V a rational function, without a limit of the acceleration?
+  bool is_rational() const { return pieces.empty() && !limits.normal && !limits.tangential; }
   friend bool operator==(const Feedrate&, const Feedrate&) = default;
 };
 

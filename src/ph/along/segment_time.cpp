@@ -88,6 +88,11 @@ const Curve* with_rational_curvature(const Segment& segment, const Vector<Ration
 
 }  // namespace
 
+Formula formula_of(const RationalFunction& f) {
+  const Formula above = polynomial_formula(f.numerator());
+  return f.denominator() == Polynomial{1} ? above : above / polynomial_formula(f.denominator());
+}
+
 Real SegmentTime::value(const Real& t) const {
   if (const auto* multiple = std::get_if<Multiple>(&form_))
     return multiple->factor * multiple->integral.value(t);

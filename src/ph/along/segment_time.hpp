@@ -47,6 +47,9 @@ class SegmentTime {
   std::variant<ClosedForm, Multiple> form_;
 };
 
+/// The same function.
+Formula formula_of(const RationalFunction& f);
+
 /// @{ With V a function of the parameter of the path, which is `start` where the segment starts;
 /// and of the signed curvature about this normal, which has a positive last component that is not
 /// 0. Throws DomainError where V of the curvature is not positive and finite, or the curvature is

@@ -10,6 +10,7 @@
 #include "phrame/algebra/increasing.hpp"
 #include "phrame/integrate/integral_sum.hpp"
 #include "phrame/ph/along/segment_time.hpp"
+#include "phrame/ph/along/speed_profile.hpp"
 #include "phrame/ph/along/time_of_length.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 
@@ -65,6 +66,17 @@ Vector<Rational> normal_of(const Path& path) {
                                                 : "signed curvature: the spline is not plane");
 }
 
+/// Does V depend on the signed curvature?
+bool is_of_curvature(const Feedrate& feedrate) {
+  constexpr auto curvature = Feedrate::Of::curvature;
+  if (feedrate.pieces.empty()) return feedrate.of == curvature && !constant(feedrate.speed);
+  for (const Feedrate::Piece& piece : feedrate.pieces)
+    for (const auto& group : piece.least_of)
+      for (const Feedrate::Function& f : group)
+        if (f.of == curvature && !is_constant(f.speed)) return true;
+  return false;
+}
+
 }  // namespace
 
 Integer ticks_before(const Real& total, const Rational& period) {
@@ -101,6 +113,7 @@ bool is_rounded_total(const Rational& time, const Real& total) {
 struct PHRAME_INSIDE TravelTime::State {
   Path path;
   PathLength length;
+  std::optional<SpeedProfile> profile{};  ///< with V of another kind
   std::optional<Rational> constant_speed{};
   std::optional<TimeOfLength> of_length{};  ///< with V(s)
   std::vector<SegmentTime> segments{};      ///< with V(t) and V(κ)
@@ -120,6 +133,12 @@ struct PHRAME_INSIDE TravelTime::State {
 };
 
 TravelTime::State::State(const Path& along, const Feedrate& feedrate) : path(along), length(along) {
+  if (!feedrate.is_rational()) {
+    profile.emplace(path, length, feedrate,
+                    is_of_curvature(feedrate) ? std::optional(normal_of(path)) : std::nullopt);
+    starts.push_back(cached(profile->total()));
+    return;
+  }
   set_speed(feedrate);
   add_starts();
 }
@@ -174,6 +193,7 @@ KnownIntegral TravelTime::State::integral(std::size_t k, const Rational& t) cons
 }
 
 Real TravelTime::State::time(const Place& at) const {
+  if (profile) return profile->time(at);
   if (segments.empty()) {
     const Real s = length.value(at);
     return of_length ? of_length->value(s) : Rational(1 / *constant_speed) * s;
@@ -225,6 +245,7 @@ TravelTime::TravelTime(const Path& path, const Feedrate& feedrate)
 
 const PathLength& TravelTime::length() const { return state_->length; }
 const Antiderivative* TravelTime::closed_form(std::size_t k) const {
+  if (state_->profile) return nullptr;
   const auto* form = state_->segments.at(k).closed_form();
   return form == nullptr ? nullptr : &form->antiderivative;
 }
@@ -232,7 +253,9 @@ const Real& TravelTime::total() const { return state_->starts.back(); }
 Real TravelTime::time(const Place& at) const { return state_->time(at); }
 
 TravelTime::Point TravelTime::end() const {
-  return {{state_->path.segments().size() - 1, Rational(1)}, length().total()};
+  const Place last(state_->path.segments().size() - 1, Rational(1));
+  if (!state_->profile) return {last, length().total()};
+  return {last, length().total(), square_root_of(state_->profile->pieces().back().w1)};
 }
 
 void TravelTime::require_within(const Rational& time) const {
@@ -255,6 +278,10 @@ std::size_t TravelTime::segment_at(const Rational& time) const {
 TravelTime::Point TravelTime::at_time(const Rational& time) {
   if (is_rounded_total(time, total())) return end();
   require_within(time);
+  if (state_->profile) {
+    const auto [at, s] = state_->profile->at_time(time);
+    return {at, s, state_->profile->speed(time, at)};
+  }
   if (state_->constant_speed) {
     const Rational s = *state_->constant_speed * time;
     return {length().point(s), s};

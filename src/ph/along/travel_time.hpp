@@ -49,8 +49,9 @@ class PHRAME_API TravelTime {
 
   /// A point of the path and the arc length up to it.
   struct Point {
-    Place at;         ///< of the path
-    Real arc_length;  ///< from the start of the path to there
+    Place at;                        ///< of the path
+    Real arc_length;                 ///< from the start of the path to there
+    std::optional<Real> speed = {};  ///< there, where V is no rational function or has limits
   };
   /// The point with T = time, at a joint that of the later segment. Exact and algebraic t are
   /// decided along PH curves where T has no logarithms and is rational up to the start of the

@@ -10,10 +10,9 @@
 #include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::inline v0 {
-namespace {
 
-/// p(t + z) as a series in z. Of an interval it is that of the Taylor polynomial in the middle: the
-/// powers of t, which nearly cancel, would each be as wide as they are large.
+// Of an interval it is that of the Taylor polynomial in the middle: the powers of t, which nearly
+// cancel, would each be as wide as they are large.
 BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length, long bits) {
   const RealBall middle(t.midpoint(), 4096);
   const BallPolynomial near = shifted(BallPolynomial(p, bits), middle, bits);
@@ -27,6 +26,8 @@ BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length
   }
   return value;
 }
+
+namespace {
 
 /// r as r(0) + (X − r(0)W)/W. Quotients of balls are as wide as they are large: without r(0) that
 /// is the size of the curve, wherever it lies.

@@ -8,6 +8,9 @@
 
 namespace phrame::inline v0 {
 
+/// p(t + z) as a series in z; of a ball t the balls of all series around its points.
+BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length, long bits);
+
 /// How a plane segment r′ = p·H/W² goes and turns, with signs that algebra decides.
 struct SegmentTurning {
   int first_sign = 1;                      ///< of p just after the start

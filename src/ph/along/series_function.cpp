@@ -1,0 +1,204 @@
+#include "phrame/ph/along/series_function.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/increasing.hpp"
+
+// On a part with the middle m, f is f(m) + (t − m)·f′ somewhere on it; where f′ has no zero there,
+// the signs at the ends tell whether f has one.
+
+namespace phrame::inline v0 {
+namespace {
+
+constexpr int most_halvings = 40;
+
+/// No value where it is not told.
+std::optional<int> known_sign(const SeriesFunction& f, const Rational& t) {
+  for (long bits = 64; bits <= 1024; bits *= 2) {
+    const RealBall value = f(RealBall(t, bits), 1, bits).coefficient(0);
+    if (const int found = sign(value); found != 0 || value.is_zero()) return found;
+  }
+  return std::nullopt;
+}
+
+/// The zero of f on the part, on which it is monotone.
+Real zero_of(const SeriesFunction& f, const Rational& lower, const Rational& upper, int sign) {
+  const Rational width = upper - lower;
+  const auto place = [lower, width](const RealBall& u, long bits) {
+    return add_product(RealBall(lower, bits), RealBall(width, bits), u, bits);
+  };
+  const Rational slope = sign * width;
+  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
+      [f, place, sign](const RealBall& u, long bits) {
+        const RealBall value = f(place(u, bits), 1, bits).coefficient(0);
+        return sign > 0 ? value : subtract({}, value, bits);
+      },
+      [f, place, slope](const RealBall& u, long bits) {
+        return multiply(RealBall(slope, bits), f(place(u, bits), 2, bits).coefficient(1), bits);
+      }});
+  return cached(Real(lower) + Real(width) * preimage(F, 0, guess_preimage(*F, 0)));
+}
+
+class ZeroSearch {
+ public:
+  ZeroSearch(const SeriesFunction& f, const std::string& what) : f_(f), what_(what) {}
+
+  struct End {
+    Rational at;
+    int sign;
+  };
+  void search(const End& lower, const End& upper, int halvings);
+  std::vector<Real> found() && { return std::move(found_); }
+
+ private:
+  End cut(const Rational& lower, const Rational& upper) const;
+
+  const SeriesFunction& f_;
+  const std::string& what_;
+  std::vector<Real> found_;
+};
+
+void ZeroSearch::search(const End& lower, const End& upper, int halvings) {
+  constexpr long bits = 96;
+  const Rational middle = (lower.at + upper.at) / 2;
+  const RealBall all = hull(lower.at, upper.at, bits);
+  const RealBall slope = f_(all, 2, bits).coefficient(1);
+  if (slope.is_finite()) {
+    const RealBall value = f_(RealBall(middle, bits), 1, bits).coefficient(0);
+    const RealBall step = subtract(all, RealBall(middle, bits), bits);
+    if (sign(add_product(value, slope, step, bits)) != 0) return;
+    if (const int side = sign(slope); side != 0) {
+      if (lower.sign * upper.sign < 0) found_.push_back(zero_of(f_, lower.at, upper.at, side));
+      return;
+    }
+  }
+  if (halvings == most_halvings)
+    throw Undecided(fmt::format("{} near t = {:.9g}", what_, static_cast<double>(middle)));
+  const End between = cut(lower.at, upper.at);
+  search(lower, between, halvings + 1);
+  search(between, upper, halvings + 1);
+}
+
+/// Near the middle, but not at a zero.
+ZeroSearch::End ZeroSearch::cut(const Rational& lower, const Rational& upper) const {
+  for (const long share : {31, 34, 27, 38}) {
+    const Rational at = lower + Rational(share, 64) * (upper - lower);
+    if (const auto found = known_sign(f_, at); found && *found != 0) return {at, *found};
+  }
+  throw Undecided(fmt::format("{} near t = {:.9g}", what_, static_cast<double>(lower)));
+}
+
+}  // namespace
+
+int sign_at(const SeriesFunction& f, const Rational& t) {
+  if (const auto found = known_sign(f, t)) return *found;
+  throw Undecided(
+      fmt::format("feedrate: a speed is undefined, or two limits of it are equal to 1024 "
+                  "bits, at t = {:.9g}",
+                  static_cast<double>(t)));
+}
+
+std::vector<Real> sign_changes(const SeriesFunction& f, const Rational& lower,
+                               const Rational& upper, const std::string& what) {
+  ZeroSearch zeros(f, what);
+  zeros.search({lower, sign_at(f, lower)}, {upper, sign_at(f, upper)}, 0);
+  return std::move(zeros).found();
+}
+
+struct SeriesIntegral::Part {
+  Rational lower;
+  Rational upper;
+  BallPolynomial integral;  ///< from `lower`, in z = t − middle
+  RealBall rest;            ///< |∫ f − integral| is at most its greatest number
+  RealBall before;          ///< the integral from the start to `lower`
+};
+
+struct SeriesIntegral::State {
+  SeriesFunction f;
+  Rational lower;
+  Rational upper;
+  std::mutex lock{};
+  std::map<long, std::vector<Part>> found{};  ///< by bits
+
+  State(SeriesFunction of, Rational from, Rational to)
+      : f(std::move(of)), lower(std::move(from)), upper(std::move(to)) {}
+
+  const std::vector<Part>& with(long bits);
+  bool add(std::vector<Part>& parts, const Rational& from, const Rational& to, long bits) const;
+};
+
+const std::vector<SeriesIntegral::Part>& SeriesIntegral::State::with(long bits) {
+  const std::lock_guard locked(lock);
+  long enough = 192;  // what rounding to doubles asks for, of all that is
+  while (enough < bits) enough *= 2;
+  std::vector<Part>& parts = found[enough];
+  if (!parts.empty()) return parts;
+  Rational step = upper - lower;
+  for (Rational at = lower; at < upper;) {
+    step = std::min(step, Rational(upper - at));
+    while (!add(parts, at, at + step, enough)) step /= 2;
+    at += step;
+    step = step * Rational(3, 2);
+  }
+  return parts;
+}
+
+/// The next part, where it is not too long.
+bool SeriesIntegral::State::add(std::vector<Part>& parts, const Rational& from, const Rational& to,
+                                long bits) const {
+  const long working = bits + 32;
+  const long length = bits / 4 + 6;
+  const Rational middle = (from + to) / 2;
+  const RealBall half((to - from) / 2, 64);
+  const RealBall next = f(hull(from, to, 64), length + 1, 64).coefficient(length);
+  const RealBall rest =
+      times_power_of_two(multiply(absolute(next), pow(half, length + 1, 64), 64), 1);
+  if (!rest.is_finite() || exponent_above(rest) > -bits) {
+    if (to - from < Rational(1, Integer(1) << 60))
+      throw Undecided(fmt::format("feedrate: the time is not seen to be finite near t = {:.9g}",
+                                  static_cast<double>(middle)));
+    return false;
+  }
+  BallPolynomial integral = antiderivative(f(RealBall(middle, working), length, working), working);
+  const RealBall start = evaluate(integral, RealBall(from - middle, working), working);
+  integral = with_constant(integral, subtract({}, start, working));
+  RealBall before;
+  if (!parts.empty()) {
+    const Part& last = parts.back();
+    const RealBall step((last.upper - last.lower) / 2, working);
+    before = phrame::add(last.before, widened(evaluate(last.integral, step, working), last.rest),
+                         working);
+  }
+  parts.push_back({from, to, std::move(integral), rest, before});
+  return true;
+}
+
+SeriesIntegral::SeriesIntegral(SeriesFunction f, const Rational& lower, const Rational& upper)
+    : state_(std::make_shared<State>(std::move(f), lower, upper)) {}
+
+RealBall SeriesIntegral::rate(const RealBall& t, long bits) const {
+  return state_->f(t, 1, bits).coefficient(0);
+}
+
+// At the middle of the ball, and from there on by f on all of it.
+RealBall SeriesIntegral::enclose(const RealBall& t, long bits) const {
+  const std::vector<Part>& parts = state_->with(bits);
+  const Rational at = std::clamp(t.midpoint(), state_->lower, state_->upper);
+  const auto part =
+      std::prev(std::upper_bound(parts.begin() + 1, parts.end(), at,
+                                 [](const Rational& x, const Part& of) { return x < of.lower; }));
+  const long working = bits + 32;
+  const RealBall z(at - (part->lower + part->upper) / 2, working);
+  const RealBall value =
+      add(part->before, widened(evaluate(part->integral, z, working), part->rest), working);
+  const RealBall step = subtract(t, RealBall(at, working), working);
+  return step.is_zero() ? value : add_product(value, step, rate(t, working), working);
+}
+
+}  // namespace phrame

@@ -1,0 +1,45 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "phrame/algebra/ball_polynomial.hpp"
+#include "phrame/algebra/real.hpp"
+
+namespace phrame::inline v0 {
+
+/// The Taylor series of a real function around t, in z, t + z; of a ball t the balls of all series
+/// around its points. Not finite where the function is not seen to be analytic there.
+using SeriesFunction = std::function<BallPolynomial(const RealBall& t, long length, long bits)>;
+
+/// The sign of f at t. Throws Undecided where 1024 bits do not tell it from 0, and it is not
+/// computed without an error.
+int sign_at(const SeriesFunction& f, const Rational& t);
+
+/// Where f changes its sign in (lower, upper), ascending, each to any number of bits. Parts are
+/// halved until f or f′ has no zero in one. Throws Undecided where that is not seen
+/// within 2^−40, as at a multiple zero; its message is `what`, "feedrate: …", and where.
+std::vector<Real> sign_changes(const SeriesFunction& f, const Rational& lower,
+                               const Rational& upper, const std::string& what);
+
+/// t ↦ ∫ f from `lower` to t, by Taylor polynomials on parts of [lower, upper], of which the rest
+/// is bounded by the next coefficient on the whole part (Lagrange). Copies share what was found;
+/// any thread may ask.
+class SeriesIntegral {
+ public:
+  SeriesIntegral(SeriesFunction f, const Rational& lower, const Rational& upper);
+
+  /// A ball with a radius of about 2^−bits, of all t of a ball. Throws Undecided where f is not
+  /// seen to be analytic within parts of 2^−60.
+  RealBall enclose(const RealBall& t, long bits) const;
+  /// f on the ball.
+  RealBall rate(const RealBall& t, long bits) const;
+
+ private:
+  struct Part;
+  struct State;
+
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace phrame
