@@ -18,6 +18,16 @@ namespace {
 
 constexpr int most_halvings = 40;
 
+/// How many bits of f(t) are lost, as where the terms of a polynomial cancel: as if half of 1024
+/// bits were, where it is 0 or nearly so.
+long lost_bits(const SeriesFunction& f, const Rational& t) {
+  for (long bits = 64; bits <= 1024; bits *= 2) {
+    const long known = f(RealBall(t, bits), 1, bits).coefficient(0).accuracy_bits();
+    if (known >= bits / 2) return std::max(0L, bits - known);
+  }
+  return 512;
+}
+
 /// No value where it is not told.
 std::optional<int> known_sign(const SeriesFunction& f, const Rational& t) {
   for (long bits = 64; bits <= 1024; bits *= 2) {
@@ -65,8 +75,8 @@ class ZeroSearch {
 };
 
 void ZeroSearch::search(const End& lower, const End& upper, int halvings) {
-  constexpr long bits = 96;
   const Rational middle = (lower.at + upper.at) / 2;
+  const long bits = 64 + 2 * lost_bits(f_, middle);
   const RealBall all = hull(lower.at, upper.at, bits);
   const RealBall slope = f_(all, 2, bits).coefficient(1);
   if (slope.is_finite()) {
@@ -152,11 +162,12 @@ const std::vector<SeriesIntegral::Part>& SeriesIntegral::State::with(long bits) 
 /// The next part, where it is not too long.
 bool SeriesIntegral::State::add(std::vector<Part>& parts, const Rational& from, const Rational& to,
                                 long bits) const {
-  const long working = bits + 32;
-  const long length = bits / 4 + 6;
   const Rational middle = (from + to) / 2;
+  const long more = 2 * lost_bits(f, middle) + 32;
+  const long working = bits + more;
+  const long length = bits / 4 + 6;
   const RealBall half((to - from) / 2, 64);
-  const RealBall next = f(hull(from, to, 64), length + 1, 64).coefficient(length);
+  const RealBall next = f(hull(from, to, 64 + more), length + 1, 64 + more).coefficient(length);
   const RealBall rest =
       times_power_of_two(multiply(absolute(next), pow(half, length + 1, 64), 64), 1);
   if (!rest.is_finite() || exponent_above(rest) > -bits) {
@@ -193,7 +204,7 @@ RealBall SeriesIntegral::enclose(const RealBall& t, long bits) const {
   const auto part =
       std::prev(std::upper_bound(parts.begin() + 1, parts.end(), at,
                                  [](const Rational& x, const Part& of) { return x < of.lower; }));
-  const long working = bits + 32;
+  const long working = bits + 64;
   const RealBall z(at - (part->lower + part->upper) / 2, working);
   const RealBall value =
       add(part->before, widened(evaluate(part->integral, z, working), part->rest), working);
