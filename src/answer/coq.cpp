@@ -42,8 +42,7 @@ long parts(double a, double b, const std::vector<std::complex<double>>& poles, l
   return parts(a, c, poles, degree, log_error) + parts(c, b, poles, degree, log_error);
 }
 
-Effort effort(const RationalFunction& rate, const Rational& t, long digits) {
-  const auto z = poles(rate.denominator());
+Effort effort(const std::vector<std::complex<double>>& z, const Rational& t, long digits) {
   const double end = round_to_double(t);
   Effort best{static_cast<long>(3.33 * static_cast<double>(digits)) + 40, 0, 0};
   double least = HUGE_VAL;
@@ -69,25 +68,87 @@ Rational room_below(const Rational& bound, const Real& value, const Rational& th
   }
 }
 
+/// c with Σ c·p = gcd, where that is constant; no value otherwise.
+template <std::size_t n>
+std::optional<std::array<Polynomial, n>> cofactors(const std::array<Polynomial, n>& list) {
+  std::array<Polynomial, n> c;
+  Polynomial g;
+  for (std::size_t k = 0; k < n && (g.is_zero() || !g.is_constant()); ++k) {
+    const ExtendedGcd next = extended_gcd(g, list[k]);
+    for (std::size_t i = 0; i < k; ++i) c[i] *= next.s;
+    c[k] = next.t;
+    g = next.g;
+  }
+  if (!g.is_constant()) return std::nullopt;
+  return c;
+}
+
+CoqAnswer::Fraction fraction(const Polynomial& numerator, const Polynomial& denominator) {
+  RationalFunction lowest(numerator, denominator);
+  Polynomial common = exact_quotient(denominator, lowest.denominator());
+  return {std::move(lowest), std::move(common)};
+}
+
+/// An interval around [0, t] that is as far from the zeros as it is wide beyond its ends, or
+/// farther.
+std::optional<CoqAnswer::Domain> domain(const Polynomial& zeros, const Rational& t) {
+  if (zeros.is_constant()) return std::nullopt;
+  Rational beyond = t / 4;
+  while (count_real_roots(zeros, closed_interval(-2 * beyond, t + 2 * beyond)) > 0) beyond /= 2;
+  return CoqAnswer::Domain{-beyond, t + beyond};
+}
+
+/// What must have no zero in [0, t], where the theorem would be about nothing.
+Polynomial without_zeros(const Polynomial& p, const Rational& t, const std::string& complaint) {
+  if (count_real_roots(p, closed_interval(0, t)) > 0)
+    throw DomainError("proof: " + complaint + " between 0 and t = " + as_written(t));
+  return p;
+}
+
 }  // namespace
 
 CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
-  const auto& [t, digits] = query;
+  const auto& [t, digits, reference, start] = query;
   if (t <= 0) throw DomainError("proof: t = " + to_string(t) + " is not positive");
-  if (count_real_roots(sigma(curve.preimage()), closed_interval(0, t)) > 0)
-    throw DomainError("proof: the preimage has a zero between 0 and t = " + as_written(t) +
-                      ", where h/sigma is undefined");
-  const RmfAngle angle(curve);
-  const Real value = angle.value(t);
+  const QuaternionPolynomial& a = curve.preimage();
+  const bool is_frenet = reference == Reference::frenet;
+  Polynomial zeros = without_zeros(gcd(gcd(a.u, a.v), gcd(a.p, a.q)), t,
+                                   "the preimage has a zero, where h/sigma is undefined,") *
+                     without_zeros(curve.weight(), t, "the curve has a point at infinity");
+  const RmfAngle angle(curve, reference);  // where it throws for a straight line
+  const GaussianPolynomial g = is_frenet ? bend_numerator(a) : GaussianPolynomial{};
+  if (is_frenet)
+    zeros *= without_zeros(gcd(g.re, g.im), t, "the curve has an inflection, where (n, b) jumps,");
+  const FrameAngle at_zero = start_angle(start, curve, reference);
+  const Real value = angle.value(t, at_zero);
   const Decimal shown = rounded(value, "theta", digits);
   const Rational theta = parse_rational(shown.value);
   const long leading = theta == 0 ? -1 : decimal_exponent(abs(theta));
   const Rational half_unit = power_of_ten(leading + 1 - digits) / 2;
   const Rational room = room_below(half_unit, value, theta);
   // No interval arithmetic proves a distance that is exactly the bound.
-  if (room == 0) return answer(curve, {t, digits + 1});
-  return {curve, t, shown, half_unit,
-          effort(angle.rate(), t, std::max(digits, 1 - decimal_exponent(room)))};
+  if (room == 0) return answer(curve, {t, digits + 1, reference, start});
+  CoqAnswer result{curve,
+                   reference,
+                   t,
+                   at_zero,
+                   shown,
+                   half_unit,
+                   domain(zeros, t),
+                   cofactors(std::array{a.u, a.v, a.p, a.q}),
+                   {},
+                   fraction(Rational(-2) * twist_numerator(a), sigma(a)),
+                   {},
+                   {}};
+  auto z = poles(result.rate.lowest.denominator());
+  if (is_frenet) {
+    result.bend_cofactors = cofactors(std::array{g.re, g.im});
+    result.bend_rate = fraction(g.re * differentiate(g.im) - g.im * differentiate(g.re),
+                                g.re * g.re + g.im * g.im);
+    for (const auto& pole : poles(result.bend_rate->lowest.denominator())) z.push_back(pole);
+  }
+  result.effort = effort(z, t, std::max(digits, 1 - decimal_exponent(room)));
+  return result;
 }
 
 }  // namespace phrame

@@ -9,22 +9,28 @@ struct ProveOptions {
   CurveOptions curve;
   std::string at = "1";
   std::string by = "t";
+  std::string frame = "erf";
+  StartOptions start;
   long digits = 20;
 };
 
 void run(const ProveOptions& options) {
+  const Reference reference = chosen_reference(options.frame);
+  const FrameStart start = options.start.start();
   const Rational x = parse_option("--at", options.at);
   if (options.by == "t" && x <= 0) throw InputError("--at", as_written(x) + " is not positive");
   const auto [named, at] = options.curve.read_curve_at({{options.at}, 0, options.by});
   if (at.front() <= 0) throw InputError("--at", as_written(x) + " is the start of the curve");
-  write_output(options.curve.output,
-               coq_proof(answer(named.curve, CoqQuery{at.front(), options.digits})));
+  options.start.check(PhPath(named.curve), reference);
+  write_output(
+      options.curve.output,
+      coq_proof(answer(named.curve, CoqQuery{at.front(), options.digits, reference, start})));
 }
 
 }  // namespace
 
 void add_prove(Program& program) {
-  Command& command = program.add("prove", "a Coq file that proves a value of the angle");
+  Command& command = program.add("prove", "a Coq file that proves frame and angle");
   const auto options = std::make_shared<ProveOptions>();
   options->curve.add_to(command);
   command.writes("a file for Coq", {"v"});
@@ -32,10 +38,12 @@ void add_prove(Program& program) {
   add_by(command, options->by, "what --at is a value of: t (default)");
   command.only_with({"--by"}, {"--at"});
   add_digits(command, options->digits);
+  add_reference(command, options->frame,
+                "what the angle is measured from: erf (default) or frenet");
+  options->start.add_to(command, StartOptions::Rule::reference);
   command.set_notes(
-      "The theorem is about the angle to the Euler-Rodrigues frame. coqc accepts the file in "
-      "seconds to\n"
-      "minutes; it needs Coquelicot and CoqInterval (./dev prove installs them).\n"
+      "coqc accepts the file in seconds to minutes. It needs Coquelicot, CoqInterval (./dev prove\n"
+      "installs them) and proofs/rotation_minimizing.v of phrame, compiled in the same folder.\n"
       "Examples:\n"
       "  phrame prove curve.json --at 1 --digits 30 -o angle.v && coqc angle.v");
   command.does(options, run);
