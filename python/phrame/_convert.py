@@ -7,7 +7,6 @@ import operator
 from fractions import Fraction
 from typing import Any
 
-from . import _numbers
 from ._errors import InputError, Undecided
 
 
@@ -165,6 +164,8 @@ def sympy_integral(f: Any, lower: Any, upper: Any, style: str) -> Any:
 
 def _exact(x: Any) -> Any:
     """Numbers as text that has all of them, whatever lists or arrays they are in."""
+    from . import _numbers  # by NumPy
+
     if hasattr(x, "tolist"):
         x = x.tolist()
     if isinstance(x, (list, tuple)):

@@ -99,9 +99,10 @@ std::optional<CoqAnswer::Domain> domain(const Polynomial& zeros, const Rational&
 }
 
 /// What must have no zero in [0, t], where the theorem would be about nothing.
-Polynomial without_zeros(const Polynomial& p, const Rational& t, const std::string& complaint) {
+Polynomial without_zeros(const Polynomial& p, const Rational& t, const std::string& what,
+                         const std::string& why = "") {
   if (count_real_roots(p, closed_interval(0, t)) > 0)
-    throw DomainError("proof: " + complaint + " between 0 and t = " + as_written(t));
+    throw DomainError("proof: " + what + " between 0 and t = " + as_written(t) + why);
   return p;
 }
 
@@ -112,13 +113,14 @@ CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
   if (t <= 0) throw DomainError("proof: t = " + to_string(t) + " is not positive");
   const QuaternionPolynomial& a = curve.preimage();
   const bool is_frenet = reference == Reference::frenet;
-  Polynomial zeros = without_zeros(gcd(gcd(a.u, a.v), gcd(a.p, a.q)), t,
-                                   "the preimage has a zero, where h/sigma is undefined,") *
+  Polynomial zeros = without_zeros(gcd(gcd(a.u, a.v), gcd(a.p, a.q)), t, "the preimage has a zero",
+                                   ", where h/sigma is undefined") *
                      without_zeros(curve.weight(), t, "the curve has a point at infinity");
   const RmfAngle angle(curve, reference);  // where it throws for a straight line
   const GaussianPolynomial g = is_frenet ? bend_numerator(a) : GaussianPolynomial{};
   if (is_frenet)
-    zeros *= without_zeros(gcd(g.re, g.im), t, "the curve has an inflection, where (n, b) jumps,");
+    zeros *=
+        without_zeros(gcd(g.re, g.im), t, "the curve has an inflection", ", where (n, b) jumps");
   const FrameAngle at_zero = start_angle(start, curve, reference);
   const Real value = angle.value(t, at_zero);
   const Decimal shown = rounded(value, "theta", digits);
