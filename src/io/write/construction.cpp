@@ -8,6 +8,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/axis_construction.hpp"
 #include "phrame/answer/construction.hpp"
+#include "phrame/io/write/boundary_fields.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/io/write/heading.hpp"
 #include "phrame/io/write/names.hpp"

@@ -169,7 +169,10 @@ TEST_CASE(
     "along r'") {
   for_samples(24, [](Random& random) {
     const Gauge gauge(random_gauge(random));
-    const auto [curve, p, q] = made_curve(random, gauge);
+    const Made made = made_curve(random, gauge);
+    const RationalCurve& curve = made.curve;
+    const Polynomial& p = made.p;
+    const Polynomial& q = made.q;
     const Path path{Segment(curve)};
     const GaugeOffsets offsets(path, gauge);
     REQUIRE(offsets.none().empty());

@@ -1,6 +1,7 @@
 #include "phrame/ph/offset/minkowski_spline.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 #include "support/refusal.hpp"
