@@ -99,8 +99,8 @@ std::optional<CoqAnswer::Domain> domain(const Polynomial& zeros, const Rational&
 }
 
 /// What must have no zero in [0, t], where the theorem would be about nothing.
-Polynomial without_zeros(const Polynomial& p, const Rational& t, const std::string& what,
-                         const std::string& why = "") {
+const Polynomial& without_zeros(const Polynomial& p, const Rational& t, const std::string& what,
+                                const std::string& why = "") {
   if (count_real_roots(p, closed_interval(0, t)) > 0)
     throw DomainError("proof: " + what + " between 0 and t = " + as_written(t) + why);
   return p;
@@ -119,8 +119,8 @@ CoqAnswer answer(const Curve& curve, const CoqQuery& query) {
   const RmfAngle angle(curve, reference);  // where it throws for a straight line
   const GaussianPolynomial g = is_frenet ? bend_numerator(a) : GaussianPolynomial{};
   if (is_frenet)
-    zeros *=
-        without_zeros(gcd(g.re, g.im), t, "the curve has an inflection", ", where (n, b) jumps");
+    zeros *= without_zeros(gcd(g.re, g.im), t, "the curve has an inflection",
+                           ", where the normal jumps");
   const FrameAngle at_zero = start_angle(start, curve, reference);
   const Real value = angle.value(t, at_zero);
   const Decimal shown = rounded(value, "theta", digits);
