@@ -20,7 +20,7 @@ Definition dot a b := vx a * vx b + vy a * vy b + vz a * vz b.
 Definition cross a b := Vector
   (vy a * vz b - vz a * vy b) (vz a * vx b - vx a * vz b) (vx a * vy b - vy a * vx b).
 
-(* a is a unit vector orthogonal to b, and so on. *)
+(* Unit vectors, orthogonal, the third of them the product of the others. *)
 Definition right_handed a b c :=
   dot a a = 1 /\ dot b b = 1 /\ dot c c = 1 /\
   dot a b = 0 /\ dot b c = 0 /\ dot c a = 0 /\ cross a b = c.
@@ -29,6 +29,7 @@ Definition right_handed a b c :=
 Definition turn2 a x y := add (scale (cos a) x) (scale (sin a) y).
 Definition turn3 a x y := add (scale (- sin a) x) (scale (cos a) y).
 
+(* F' is the derivative of F at t. *)
 Definition derivative (F : R -> vector) (t : R) (F' : vector) :=
   is_derive (fun s => vx (F s)) t (vx F') /\
   is_derive (fun s => vy (F s)) t (vy F') /\
@@ -39,6 +40,7 @@ Definition open_interval (D : R -> Prop) :=
   (forall t, D t -> locally t D) /\
   (forall a b t, D a -> D b -> a <= t <= b -> D t).
 
+(* e, f, g are right-handed, and f', g' are parallel to e. *)
 Definition rotation_minimizing (D : R -> Prop) (e f g : R -> vector) :=
   forall t, D t ->
     right_handed (e t) (f t) (g t) /\
@@ -55,7 +57,7 @@ Definition product a b := Quaternion
   (qu a * qp b - qv a * qq b + qp a * qu b + qq a * qv b)
   (qu a * qq b + qv a * qp b - qp a * qv b + qq a * qu b).
 Definition conjugate a := Quaternion (qu a) (- qv a) (- qp a) (- qq a).
-(* a w a*. *)
+(* a w a*, which has no real part. *)
 Definition rotated a w :=
   let b := product (product a (Quaternion 0 (vx w) (vy w) (vz w))) (conjugate a) in
   Vector (qv b) (qp b) (qq b).
@@ -67,11 +69,13 @@ Definition quaternion_continuous (A : R -> quaternion) (t : R) :=
   continuous (fun s => qu (A s)) t /\ continuous (fun s => qv (A s)) t /\
   continuous (fun s => qp (A s)) t /\ continuous (fun s => qq (A s)) t.
 
+(* h and g = alpha beta' - alpha' beta, alpha = u + i v, beta = q + i p, take the derivative a' of a. *)
 Definition sigma a := qu a * qu a + qv a * qv a + qp a * qp a + qq a * qq a.
 Definition h a a' := qu a * qv a' - qu a' * qv a - qp a * qq a' + qp a' * qq a.
 Definition g_re a a' := qu a * qq a' - qv a * qp a' - qu a' * qq a + qv a' * qp a.
 Definition g_im a a' := qu a * qp a' + qv a * qq a' - qu a' * qp a - qv a' * qq a.
 
+(* The Euler-Rodrigues frame. *)
 Definition e1 a := scale (/ sigma a) (rotated a (Vector 1 0 0)).
 Definition e2 a := scale (/ sigma a) (rotated a (Vector 0 1 0)).
 Definition e3 a := scale (/ sigma a) (rotated a (Vector 0 0 1)).
@@ -199,7 +203,7 @@ Lemma derivative_combination c s F G t c' s' F' G' :
     (add (add (scale c' (F t)) (scale (c t) F')) (add (scale s' (G t)) (scale (s t) G'))).
 Proof.
   intros Hc Hs (Fx & Fy & Fz) (Gx & Gy & Gz).
-  split; [| split]; simpl; 
+  split; [| split]; simpl;
     apply (is_derive_plus (K := R_AbsRing) (V := R_NormedModule));
     apply (is_derive_mult (K := R_AbsRing)); auto using Rmult_comm.
 Qed.
@@ -282,10 +286,10 @@ Proof.
 Qed.
 
 (* Two rotation-minimizing frames with the same tangent differ by a constant turn. *)
-Theorem unique_but_for_a_turn D t0 e f g f' g' :
+Theorem unique_but_for_a_turn D t0 e f2 f3 g2 g3 :
   open_interval D -> D t0 ->
-  rotation_minimizing D e f g -> rotation_minimizing D e f' g' ->
-  exists a, forall t, D t -> f' t = turn2 a (f t) (g t) /\ g' t = turn3 a (f t) (g t).
+  rotation_minimizing D e f2 f3 -> rotation_minimizing D e g2 g3 ->
+  exists a, forall t, D t -> g2 t = turn2 a (f2 t) (f3 t) /\ g3 t = turn3 a (f2 t) (f3 t).
 Proof.
   intros HD H0 Hf Hg.
   assert (K : forall F G, (forall t, D t -> dot (F t) (e t) = 0 /\ dot (e t) (G t) = 0 /\
@@ -296,25 +300,25 @@ Proof.
     apply (is_derive_eq _ _ _ _ (derivative_dot _ _ _ _ _ Hk Hl)).
     transitivity (k * dot (e x) (G x) + l * dot (F x) (e x));
       [unfold dot, scale; simpl; ring | rewrite A, B; ring]. }
-  assert (C : forall t, D t -> dot (f' t) (f t) = dot (f' t0) (f t0)).
+  assert (C : forall t, D t -> dot (g2 t) (f2 t) = dot (g2 t0) (f2 t0)).
   { apply K; intros t Ht.
     destruct (Hf t Ht) as ((_ & _ & _ & E & _) & F & _).
     destruct (Hg t Ht) as ((_ & _ & _ & E' & _) & F' & _).
     repeat split; try assumption; rewrite <- E'; unfold dot; ring. }
-  assert (S : forall t, D t -> dot (f' t) (g t) = dot (f' t0) (g t0)).
+  assert (S : forall t, D t -> dot (g2 t) (f3 t) = dot (g2 t0) (f3 t0)).
   { apply K; intros t Ht.
     destruct (Hf t Ht) as ((_ & _ & _ & _ & _ & E & _) & _ & F).
     destruct (Hg t Ht) as ((_ & _ & _ & E' & _) & F' & _).
     repeat split; try assumption; [rewrite <- E' | rewrite <- E]; unfold dot; ring. }
-  assert (B : forall t, D t -> f' t =
-      add (scale (dot (f' t0) (f t0)) (f t)) (scale (dot (f' t0) (g t0)) (g t))).
+  assert (B : forall t, D t -> g2 t =
+      add (scale (dot (g2 t0) (f2 t0)) (f2 t)) (scale (dot (g2 t0) (f3 t0)) (f3 t))).
   { intros t Ht; rewrite <- (C t Ht), <- (S t Ht).
     destruct (Hf t Ht) as (R & _); destruct (Hg t Ht) as ((_ & _ & _ & E & _) & _).
     apply (in_basis (e t)); [exact R | rewrite <- E; unfold dot; ring]. }
-  destruct (angle_of (dot (f' t0) (f t0)) (dot (f' t0) (g t0))) as (a & Ca & Sa).
+  destruct (angle_of (dot (g2 t0) (f2 t0)) (dot (g2 t0) (f3 t0))) as (a & Ca & Sa).
   { destruct (Hf t0 H0) as (R & _); destruct (Hg t0 H0) as ((_ & U & _) & _).
     pose proof (B t0 H0) as I; destruct R as (_ & U1 & U2 & _ & O & _ & _).
-    apply (f_equal (dot (f' t0))) in I; rewrite U in I.
+    apply (f_equal (dot (g2 t0))) in I; rewrite U in I.
     rewrite I; unfold dot, add, scale; simpl; ring. }
   rewrite <- Ca, <- Sa in B; exists a; intros t Ht; split; [exact (B t Ht) |].
   destruct (Hf t Ht) as (R & _); destruct (Hg t Ht) as ((_ & _ & _ & _ & _ & _ & <-) & _).
@@ -547,6 +551,7 @@ End Frenet.
 
 (* ---- The frame of a curve *)
 
+(* Where its theorem holds. *)
 Lemma everywhere : open_interval (fun _ => True).
 Proof. split; [intros; apply filter_true | auto]. Qed.
 
@@ -556,6 +561,7 @@ Proof.
   intros t Ht; apply (open_and _ _ (open_gt lo) (open_lt hi) t Ht).
 Qed.
 
+(* The integral exists and has the derivative that it should have. *)
 Lemma angle_exists D (w : R -> R) start :
   open_interval D -> D 0 -> (forall t, D t -> continuous w t) ->
   start + RInt w 0 0 = start /\
@@ -692,7 +698,7 @@ Section Theta.
 
 Hypothesis A'_continuous : forall t, D t -> quaternion_continuous A' t.
 
-(* theta is the only function with theta(0) = start and theta' = -2h/sigma. *)
+(* The Euler-Rodrigues frame turned by theta, theta(0) = start, theta' = -2h/sigma. *)
 Theorem frame_by_theta (theta := fun t => start + RInt (fun s => -2 * h (A s) (A' s) / sigma (A s)) 0 t)
     (f2 := fun t => turn2 (theta t) (e2 (A t)) (e3 (A t)))
     (f3 := fun t => turn3 (theta t) (e2 (A t)) (e3 (A t))) :
@@ -718,6 +724,7 @@ Hypothesis A'_derivative : forall t, D t -> quaternion_derivative A' t (A'' t).
 Hypothesis A''_continuous : forall t, D t -> quaternion_continuous A'' t.
 Hypothesis no_inflection : forall t, D t -> 0 < g_squared (A t) (A' t).
 
+(* The Frenet frame turned by psi, psi(0) = start, psi' = -2h/sigma + Im(g'/g). *)
 Theorem frame_by_psi (psi := fun t => start + RInt (fun s => frenet_rate (A s) (A' s) (A'' s)) 0 t)
     (f2 := fun t => turn2 (psi t) (normal (A t) (A' t)) (binormal (A t) (A' t)))
     (f3 := fun t => turn3 (psi t) (normal (A t) (A' t)) (binormal (A t) (A' t))) :
