@@ -214,13 +214,24 @@ std::optional<GivenPoses> poses_of(nb::handle orientations, const GivenPoints& g
   return poses;
 }
 
+/// Of the kind length.
+std::vector<Rational> given_lengths(nb::handle lengths) {
+  if (lengths.is_none()) return {};
+  std::vector<Rational> found =
+      is_list(lengths) ? rationals(lengths, "lengths")
+                       : std::vector<Rational>{rational(lengths, "lengths")};
+  for (const Rational& x : found)
+    if (x <= 0) refuse("lengths", "one is not positive", lengths);
+  return found;
+}
+
 nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangents,
                    nb::handle accelerations, nb::handle parameters, Flag<"closed"> closed,
                    const Text<"kind">& kind, Flag<"exact"> exact, nb::handle tolerance,
                    nb::handle solution, nb::handle select, nb::handle angles,
                    const Text<"name">& name, nb::handle orientations,
                    const Text<"tangent_axis">& axis, Flag<"smooth_twist"> is_smooth,
-                   nb::handle turns) {
+                   nb::handle turns, nb::handle lengths) {
   GivenPoints given;
   given.name = name;
   given.points = vectors(points, "points", 2);
@@ -250,6 +261,7 @@ nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangent
   query.kind = kind_named(kind);
   query.points = exact ? PointRule::exact : PointRule::near;
   query.is_closed = closed;
+  query.lengths = given_lengths(lengths);
   choose_solution(query, tolerance, solution, select, angles);
   return constructed(given, query);
 }
@@ -257,7 +269,7 @@ nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangent
 nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, nb::handle a0,
                    nb::handle a1, const Text<"kind">& kind, Flag<"exact"> exact,
                    nb::handle tolerance, nb::handle solution, nb::handle select, nb::handle angles,
-                   const Text<"name">& name) {
+                   const Text<"name">& name, nb::handle length) {
   GivenPoints given;
   given.name = name;
   given.points = {vector(p0, "p0"), vector(p1, "p1")};
@@ -265,6 +277,7 @@ nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, n
   ConstructQuery query;
   query.kind = kind_named(kind);
   query.points = exact ? PointRule::exact : PointRule::near;
+  if (!length.is_none()) query.lengths = {rational(length, "length")};
   if (a0.is_none() != a1.is_none()) refuse(a0.is_none() ? "a0" : "a1", "it is wanted", a0);
   if (!a0.is_none()) given.accelerations = {vector(a0, "a0"), vector(a1, "a1")};
   choose_solution(query, tolerance, solution, select, angles);
@@ -421,11 +434,13 @@ void bind_constructors(nb::module_& m, PathClass& path) {
           argument("kind") = "quintic", argument("exact") = false,
           argument("tolerance") = nb::none(), argument("solution") = 1,
           argument("select") = nb::none(), argument("angles") = nb::none(), argument("name") = "",
+          argument("length") = nb::none(),
           nb::sig("def hermite(p0: Vector, d0: Vector, p1: Vector, d1: Vector, *, a0: Vector | "
                   "None = None, a1: Vector | None = None, kind: str = 'quintic', exact: bool = "
-                  "False, " PHRAME_CHOICE_SIG ", name: str = '') -> Path"),
+                  "False, " PHRAME_CHOICE_SIG ", name: str = '', length: Number | None = None) -> Path"),
           "From p0 to p1 with the derivatives d0 and d1 and, of the kind c2-hermite, the second "
-          "ones a0 and a1; of most kinds one curve.")
+          "ones a0 and a1; of most kinds one curve. The kind length has the `length` that is given, "
+          "and of d0 and d1 the directions.")
       .def_static(
           "through", through, argument("points"), nb::kw_only(),
           argument("derivatives") = nb::none(), argument("tangents") = nb::none(),
@@ -435,14 +450,16 @@ void bind_constructors(nb::module_& m, PathClass& path) {
           argument("select") = nb::none(), argument("angles") = nb::none(), argument("name") = "",
           argument("orientations") = nb::none(), argument("tangent_axis") = "x",
           argument("smooth_twist") = false, argument("turns") = nb::none(),
+          argument("lengths") = nb::none(),
           nb::sig("def through(points: Vectors, *, derivatives: Vectors | None = None, "
                   "tangents: Vectors | None = None, accelerations: Vectors | None = None, "
                   "parameters: collections.abc.Sequence[Number] | None = None, closed: bool "
                   "= False, kind: str = 'quintic', exact: bool = False, " PHRAME_CHOICE_SIG
                   ", name: str = '', orientations: typing.Any = None, tangent_axis: str = 'x', "
-                  "smooth_twist: bool = False, turns: collections.abc.Sequence[int] | None = None) "
-                  "-> Path"),
-          "A spline of exact PH curves through points: docs/construct.md names the kinds. With "
+                  "smooth_twist: bool = False, turns: collections.abc.Sequence[int] | None = None, "
+                  "lengths: Number | collections.abc.Sequence[Number] | None = None) -> Path"),
+          "A spline of exact PH curves through points: docs/construct.md names the kinds. Of the "
+          "kind length `lengths` are those of the segments, or one of the whole. With "
           "`orientations`, quaternions (x, y, z, w), matrices or a Rotation of SciPy, the frame of "
           "its twist() meets them, and their axis `tangent_axis` is the tangent: docs/poses.md.")
 #define PHRAME_READ_SIG \

@@ -106,10 +106,11 @@ API = {
     "Path.from_scipy": (phrame.Path.from_scipy, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),
     "Path.near": (phrame.Curve.near, {"points": QUINTIC.control_points, "eps": 1, "name": ""}),
     "Path.hermite": (phrame.Curve.hermite, {"p0": [0, 0, 0], "d0": [1, 0, 0], "p1": [1, 1, 1], "d1": [0, 1, 1],
-                                             "a0": None, "a1": None, **CHOICE}),
+                                             "a0": None, "a1": None, **CHOICE, "length": None}),
     "Path.through": (phrame.Curve.through, {
         "points": [[0, 0, 0], [1, 1, 1]], "derivatives": None, "tangents": None, "accelerations": None,
-        "parameters": None, "closed": False, **CHOICE, "orientations": None, "tangent_axis": "x", "smooth_twist": False, "turns": None}),
+        "parameters": None, "closed": False, **CHOICE, "orientations": None, "tangent_axis": "x", "smooth_twist": False, "turns": None,
+        "lengths": None}),
     "Path.bezier": (phrame.Curve.bezier, {"points": POINTS, "weights": None, "name": ""}),
     "Path.nurbs": (phrame.Curve.nurbs, {"points": POINTS, "weights": None, "knots": None, "degree": 2, "name": ""}),
     "Path.polynomial": (phrame.Curve.polynomial, {"x": [0, 1], "y": [0, 0, 1], "z": [0, 1, 1], "w": None, "name": "", "basis": "power"}),

@@ -4,6 +4,7 @@ import json
 from fractions import Fraction
 
 import numpy as np
+import pytest
 
 import phrame
 from common import QUINTIC, ROOT
@@ -97,6 +98,12 @@ def test_which_of_several_quintics():
     assert first != second
     bent = phrame.Curve.hermite(*data, kind="c2-hermite", a0=[0, 0, 1], a1=[1, 0, 0])
     assert [abs(float(r.derivative()(0)) - x) < 1e-13 for r, x in zip(bent.hodograph, (0, 0, 1))] == [True] * 3
+    assert abs(float(phrame.Curve.hermite(*data, kind="length", length=2).length) - 2) < 1e-14
+    long = phrame.Curve.through([[0, 0, 0], [1, 1, 1], [2, 1, 0]], kind="length", lengths=["2", 3])
+    assert [round(float(segment.length), 13) for segment in long.segments] == [2, 3]
+    for wrong in ({"lengths": [1, 2]}, {}, {"lengths": -1}):
+        with pytest.raises(phrame.Error, match="length"):
+            phrame.Curve.through([[0, 0, 0], [1, 1, 1], [2, 1, 0]], kind="length", **wrong)
 
 
 def test_closed_curves():

@@ -14,6 +14,7 @@
 #include "phrame/ph/construct/cubic_spline.hpp"
 #include "phrame/ph/construct/energy.hpp"
 #include "phrame/ph/construct/helical_spline.hpp"
+#include "phrame/ph/construct/length_spline.hpp"
 #include "phrame/ph/construct/plane_quintics.hpp"
 #include "phrame/ph/construct/rmf_spline.hpp"
 #include "phrame/ph/construct/rrmf_spline.hpp"
@@ -28,6 +29,7 @@ struct Task {
   const HermiteSpline& data;
   const ConstructQuery& query;
   Deviation tolerance;
+  std::vector<Rational> lengths;  ///< of the segments, where they are given
 };
 
 /// A row is all that a kind needs here; what it does is in a file of its own in ph/construct.
@@ -135,7 +137,14 @@ const std::vector<KindRow>& rows() {
                  .law = c2_law},
        .takes_accelerations = true,
        .construct = of_data<c2_hermite_spline>,
-       .obeys_law = is_c2}};
+       .obeys_law = is_c2},
+      {.named = {.kind = CurveKind::length,
+                 .name = "length",
+                 .what = "G1 splines of PH quintics of given lengths",
+                 .continuity = Continuity::g1,
+                 .is_open = true,
+                 .takes_lengths = true},
+       .construct = [](const Task& t) { return length_spline(t.data, t.lengths, t.tolerance); }}};
   return table;
 }
 
@@ -242,17 +251,24 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
                                               : fmt::format("there are {}", row->named.solutions)));
   if (query.is_closed && row->named.is_open)
     throw InputError(fmt::format("the kind {} makes open curves only", row->named.name));
+  if (query.lengths.empty() == row->named.takes_lengths)
+    throw InputError(fmt::format("the kind {} {} lengths", row->named.name,
+                                 row->named.takes_lengths ? "wants" : "takes no"));
+  if (row->named.takes_lengths && query.points == PointRule::exact)
+    throw InputError(fmt::format("the kind {} does not meet points exactly", row->named.name));
   HermiteSpline data = hermite_spline(given, query.is_closed);
+  const std::vector<Rational> lengths =
+      query.lengths.empty() ? std::vector<Rational>() : segment_lengths(data, query.lengths);
   if (given.poses && !given.poses->turns.empty() && given.poses->turns.size() != data.segments() &&
       given.poses->turns.size() != given.points.size() - 1)
     throw InputError(
         "/turns", fmt::format("{} for {} points", given.poses->turns.size(), given.points.size()));
-  const Deviation tolerance{query.tolerance * size_of_points(data),
-                            row->named.continuity == Continuity::g1
-                                ? query.tolerance
-                                : query.tolerance * size_of_derivatives(data),
-                            query.tolerance * size_of_accelerations(data)};
-  Construction found = row->construct({data, query, tolerance});
+  const Deviation tolerance{
+      query.tolerance * size_of_points(data),
+      row->named.continuity == Continuity::g1 ? query.tolerance
+                                              : query.tolerance * size_of_derivatives(data),
+      query.tolerance * size_of_accelerations(data), query.tolerance * size_of_points(data)};
+  Construction found = row->construct({data, query, tolerance, lengths});
   if (row->obeys_law != nullptr && !row->obeys_law(found.path, data.is_closed))
     throw Error(fmt::format("construct: it is not true that {}", row->named.law));
   std::vector<ConstructionAnswer::Segment> segments;

@@ -11,7 +11,7 @@
 namespace phrame::inline v0 {
 
 /// What kind of PH curves a construction is made of.
-enum class CurveKind { quintic, planar, cubic, helical, rrmf, rmf, c2, c2_hermite };
+enum class CurveKind { quintic, planar, cubic, helical, rrmf, rmf, c2, c2_hermite, length };
 
 /// What is equal at the joints of a spline, exactly.
 enum class Continuity {
@@ -34,6 +34,7 @@ struct NamedKind {
   /// Does it take derivatives at the ends of open curves only, those between following from the
   /// points?
   bool is_through_points = false;
+  bool takes_lengths = false;  ///< does it want the lengths of the segments?
 };
 PHRAME_API const std::vector<NamedKind>& curve_kinds();  ///< all kinds, in the order of CurveKind
 
@@ -47,6 +48,9 @@ struct ConstructQuery {
   Rational tolerance = Rational(1, 1'000'000'000'000'000);
   PointRule points = PointRule::near;  ///< how are the points met?
   bool is_closed = false;              ///< does the curve end where it starts?
+  /// Of the kind length: the length of each segment, or of the whole, which is shared in proportion
+  /// to the chords.
+  std::vector<Rational> lengths = {};
 };
 
 /// An exact PH curve near its data, and how near it is.

@@ -27,6 +27,7 @@ struct ConstructOptions {
   std::string select = "auto";
   std::vector<std::string> angles;
   long solution = 1;
+  std::vector<std::string> lengths;
   std::string tolerance;
   bool is_closed = false;
   bool exact_points = false;
@@ -59,6 +60,11 @@ ConstructQuery query(const ConstructOptions& options) {
   if (options.kind != minkowski) query.kind = choose("--kind", options.kind, kinds);
   query.choice = chosen_quintic(options);
   query.solution = options.solution;
+  for (const std::string& text : split(options.lengths)) {
+    query.lengths.push_back(parse_option("--lengths", text));
+    if (query.lengths.back() <= 0)
+      throw InputError("--lengths", abbreviated(text) + " is not positive");
+  }
   if (!options.tolerance.empty()) {
     query.tolerance = parse_option("--tolerance", options.tolerance);
     if (query.tolerance <= 0 || query.tolerance >= 1)
@@ -179,8 +185,9 @@ void add_construct(Program& program) {
                      "continuous tangents; helical: with a constant angle to an axis; rrmf: with\n"
                      "a rational rotation-minimizing frame; rmf: with one that is the\n"
                      "Euler-Rodrigues frame; c2: through points, with continuous second\n"
-                     "derivatives; c2-hermite: with these given; minkowski: curves with radii\n"
-                     "through points x, y, r, whose envelopes are rational");
+                     "derivatives; c2-hermite: with these given; length: of given lengths, with\n"
+                     "continuous tangents; minkowski: curves with radii through points x, y, r,\n"
+                     "whose envelopes are rational");
   command.add_choice("--select", options->select, keys(quintic_selections()),
                      "which of the quintics: auto (default), minimal, bv, cc, shortest,\n"
                      "longest or energy");
@@ -189,6 +196,9 @@ void add_construct(Program& program) {
   const long most = std::ranges::max(curve_kinds(), {}, &NamedKind::solutions).solutions;
   command.add_number("--solution", options->solution, {1, most},
                      "which of the curves there are, 1 being the best (default 1)");
+  command.add_list("--lengths", "L,...", options->lengths,
+                   "the length of each segment, or of the whole, shared in proportion to chords");
+  command.only_with({"--lengths"}, {"--kind length"});
   command.only_with({"--select", "--angles"}, {"--kind quintic"});
   command.not_with({"--select"}, {"--angles"});
   command.only_with({"--solution"},
@@ -214,6 +224,7 @@ void add_construct(Program& program) {
                    "of poses: so many revolutions more from each to the next");
   command.not_with({"--closed"}, kinds_where(&NamedKind::is_open));
   command.not_with({"--closed", "--exact-points"}, {"--kind minkowski"});
+  command.not_with({"--exact-points"}, {"--kind length"});
   command.add_option("-o,--output", "FILE", options->output,
                      "write the curve to this file, beside the report");
   command.writes("a curve in JSON there", {"json"});
@@ -224,7 +235,7 @@ void add_construct(Program& program) {
       "DATA: {\"phrame\": \"points/1\", \"points\": [[0, 0, 0], [1, 1, 1]]}, with derivatives,\n"
       "tangents and parameters if known; or lines of x, y, z. Derivatives not given are those of\n"
       "the C2 cubic spline. Joints are exact: position and derivative are equal as fractions,\n"
-      "with --kind cubic and rrmf position and tangent, with c2 and c2-hermite the second\n"
+      "with --kind cubic, rrmf and length position and tangent, with c2 and c2-hermite the second\n"
       "derivative as well. The data are met within the tolerance, and the report says the proved\n"
       "bound.\n"
       "Examples:\n"

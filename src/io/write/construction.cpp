@@ -169,6 +169,8 @@ Fields deviation_rows(const ConstructionAnswer& answer) {
                     deviation.derivatives, tolerance.derivatives));
   if (!answer.data.accelerations.empty())
     rows.push_back(bound_field("accelerations", deviation.accelerations, tolerance.accelerations));
+  if (answer.kind.takes_lengths)
+    rows.push_back(bound_field("lengths met", deviation.lengths, tolerance.lengths));
   if (answer.poses) rows.push_back(orientations_field(answer));
   return rows;
 }
@@ -178,6 +180,7 @@ JsonOutput deviation_json(const ConstructionAnswer& answer, const Deviation& x) 
   JsonOutput json = {{"points", upper_bound_text(x.points)}};
   if (wants_derivatives(answer)) json["derivatives"] = upper_bound_text(x.derivatives);
   if (!answer.data.accelerations.empty()) json["accelerations"] = upper_bound_text(x.accelerations);
+  if (answer.kind.takes_lengths) json["lengths"] = upper_bound_text(x.lengths);
   return json;
 }
 

@@ -64,7 +64,7 @@ struct SpeedLimits::ExactMotion {
 
 SpeedLimits::ExactMotion SpeedLimits::exact_motion(const Segment& segment,
                                                    const RationalCurve& curve) {
-  const Polynomial p = curve.multiplier();
+  const Polynomial& p = curve.multiplier();
   const Polynomial sigma = dot(curve.direction(), curve.direction());
   ExactMotion found;
   if (const Curve* ph = ph_curve(segment); ph != nullptr && has_polynomial_length(*ph))

@@ -10,13 +10,15 @@ struct Deviation {
   Rational points;             ///< the greatest distance from a point
   Rational derivatives;        ///< the greatest distance of a derivative from the one wanted
   Rational accelerations = 0;  ///< that of a second derivative, where these are given
+  Rational lengths = 0;        ///< the greatest difference of a segment's length, where it is given
   friend bool operator==(const Deviation&, const Deviation&) = default;
 };
 
-/// Are all three at most those of the tolerance?
+/// Are all of them at most those of the tolerance?
 inline bool is_within(const Deviation& deviation, const Deviation& tolerance) {
   return deviation.points <= tolerance.points && deviation.derivatives <= tolerance.derivatives &&
-         deviation.accelerations <= tolerance.accelerations;
+         deviation.accelerations <= tolerance.accelerations &&
+         deviation.lengths <= tolerance.lengths;
 }
 
 /// How the points are met.

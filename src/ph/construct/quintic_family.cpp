@@ -21,24 +21,23 @@ namespace {
 
 constexpr double straight_angle = std::numbers::pi;
 
-/// Angles are rounded to so many bits of a half turn, so that nobody's libm decides the result, and
-/// 0, ±π/2 and π, which keep planes, are met.
-constexpr long angle_bits = 20;
+double size(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
 
+ComplexOf<double> unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+}  // namespace
+
+// So that nobody's libm decides the result, and 0, ±π/2 and π, which keep planes, are met.
 Angle rounded_angle(double x) {
+  constexpr long angle_bits = 20;
   const double half_turns = std::remainder(x / straight_angle, 2.0);
   if (!std::isfinite(half_turns)) return Angle();
   const double steps = std::nearbyint(std::ldexp(half_turns, angle_bits));
   return Angle(exact_rational(std::ldexp(steps, -angle_bits)), 0);
 }
 
-double size(const Vector<double>& v) { return std::sqrt(dot(v, v)); }
-
-ComplexOf<double> unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-/// The Δ of the least f, found among equal steps, then by halving where f falls and rises.
-template <class F>
-double minimiser(const F& f) {
+// Found among equal steps, then by halving where f falls and rises.
+double minimising_angle(const std::function<double(double)>& f) {
   constexpr int steps = 64;
   constexpr double step = 2 * straight_angle / steps;
   const auto at = [&](double x) {
@@ -83,8 +82,6 @@ double minimiser(const F& f) {
   }
   return best;
 }
-
-}  // namespace
 
 QuinticFamily::QuinticFamily(const HermiteData<double>& data)
     : data_(data),
@@ -184,13 +181,13 @@ FreeAngles QuinticFamily::choose(QuinticSelection selection) const {
     case QuinticSelection::minimal:
       return at(0);
     case QuinticSelection::bv:
-      return at(minimiser([&](double x) { return distance_from_cubic(x); }));
+      return at(minimising_angle([&](double x) { return distance_from_cubic(x); }));
     case QuinticSelection::cc:
       return at(cc_angle());
     case QuinticSelection::shortest:
-      return at(minimiser([&](double x) { return length(x); }));
+      return at(minimising_angle([&](double x) { return length(x); }));
     case QuinticSelection::longest:
-      return at(minimiser([&](double x) { return -length(x); }));
+      return at(minimising_angle([&](double x) { return -length(x); }));
     case QuinticSelection::automatic:
     case QuinticSelection::energy:
       break;
@@ -198,7 +195,7 @@ FreeAngles QuinticFamily::choose(QuinticSelection selection) const {
   double best = 0;
   double least = approximate_energy(member(0, 0));
   for (const double delta :
-       {minimiser([&](double x) { return distance_from_cubic(x); }), cc_angle()})
+       {minimising_angle([&](double x) { return distance_from_cubic(x); }), cc_angle()})
     if (const double energy = approximate_energy(member(delta, 0)); energy < least) {
       best = delta;
       least = energy;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 
 #include "phrame/ph/construct/hermite_spline.hpp"
 #include "phrame/ph/construct/preimage.hpp"
@@ -54,6 +55,11 @@ class QuinticFamily {
 
 /// The quintics with the data of segment k, in doubles, scaled: energies are not theirs.
 QuinticFamily quintic_family(const HermiteSpline& data, std::size_t k);
+
+/// x, in radians, rounded to 2⁻²⁰ of a half turn.
+Angle rounded_angle(double x);
+/// The x in (−π, π] with the least f, or about that; NaN counts as ∞.
+double minimising_angle(const std::function<double(double x)>& f);
 
 /// An |H(A, B)| below this, beside |A||B|, is rounding: the tangents are antiparallel, and the
 /// preimages of both stay as they are.
