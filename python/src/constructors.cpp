@@ -217,9 +217,9 @@ std::optional<GivenPoses> poses_of(nb::handle orientations, const GivenPoints& g
 /// Of the kind length.
 std::vector<Rational> given_lengths(nb::handle lengths) {
   if (lengths.is_none()) return {};
-  std::vector<Rational> found =
-      is_list(lengths) ? rationals(lengths, "lengths")
-                       : std::vector<Rational>{rational(lengths, "lengths")};
+  std::vector<Rational> found = is_list(lengths)
+                                    ? rationals(lengths, "lengths")
+                                    : std::vector<Rational>{rational(lengths, "lengths")};
   for (const Rational& x : found)
     if (x <= 0) refuse("lengths", "one is not positive", lengths);
   return found;
@@ -437,9 +437,11 @@ void bind_constructors(nb::module_& m, PathClass& path) {
           argument("length") = nb::none(),
           nb::sig("def hermite(p0: Vector, d0: Vector, p1: Vector, d1: Vector, *, a0: Vector | "
                   "None = None, a1: Vector | None = None, kind: str = 'quintic', exact: bool = "
-                  "False, " PHRAME_CHOICE_SIG ", name: str = '', length: Number | None = None) -> Path"),
+                  "False, " PHRAME_CHOICE_SIG
+                  ", name: str = '', length: Number | None = None) -> Path"),
           "From p0 to p1 with the derivatives d0 and d1 and, of the kind c2-hermite, the second "
-          "ones a0 and a1; of most kinds one curve. The kind length has the `length` that is given, "
+          "ones a0 and a1; of most kinds one curve. The kind length has the `length` that is "
+          "given, "
           "and of d0 and d1 the directions.")
       .def_static(
           "through", through, argument("points"), nb::kw_only(),

@@ -118,7 +118,9 @@ GivenPoints given_points(const Command& command, const ConstructOptions& options
     return read_poses(bytes, pose_reading(command, options), options.reading);
   }
   command.refuse(pose_options(), "is for poses: --tangent-axis says that a table has them");
-  return read_waypoints(bytes, options.reading);
+  FileReading reading = options.reading;
+  reading.has_radii = options.kind == minkowski;
+  return read_waypoints(bytes, reading);
 }
 
 /// The curves with radii through points x, y, r.

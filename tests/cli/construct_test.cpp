@@ -448,6 +448,16 @@ TEST_CASE("construct --kind minkowski: curves with radii, which envelope reads, 
                                 "derivatives": [[5, 0, 3], [5, 0, 3]]})");
   CHECK(contains(line.out, "points met      exact, proved"));
   CHECK(contains(here.run("construct radii.json --kind minkowski --print latex").out, "align*"));
+  // Columns are r, or z; dr, or dz.
+  const std::string rows = "0,0,2,3,2,-3/2\n3,1,1,3,0,0\n6,0,3/2,3,-1,1\n";
+  const auto axis = [&](const std::string& header) {
+    return here.run("construct - --kind minkowski --print curve", header + "\n" + rows);
+  };
+  const Run radii = axis("x,y,r,dx,dy,dr");
+  check_success(radii);
+  CHECK(radii.out == axis("x,y,z,dx,dy,dz").out);
+  const std::string named = curves.substr(curves.find("segments"));
+  CHECK(radii.out.substr(radii.out.find("segments")) == named);
 }
 
 TEST_CASE("construct --kind minkowski: what has no curve with radii is refused in one line") {

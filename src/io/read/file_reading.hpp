@@ -20,6 +20,8 @@ struct PHRAME_API FileReading {
   std::string kind = {};
   /// The names of columns that are read for something else: no note says that they were skipped.
   std::vector<std::string> other_columns = {};
+  /// Are points x, y, r, with a radius as the third coordinate? Tables may call it so.
+  bool has_radii = false;
   /// What is in the file of this name beside the one that is read, as of buffers in glTF. Without
   /// it other files are not read.
   std::function<std::string(const std::string& name)> beside = {};

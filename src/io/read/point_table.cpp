@@ -56,8 +56,12 @@ OtherNames find_other_names(const Names& names, const std::string& place) {
 /// Which columns hold what is read.
 class PointLayout {
  public:
-  PointLayout(const Names& names, const std::string& place) : names_(names), place_(place) {
+  /// With radii r is the third coordinate, where there is a column of that name.
+  PointLayout(const Names& names, const std::string& place, bool has_radii)
+      : names_(names), place_(place) {
     find_parameter();
+    if (has_radii && find("r"))
+      for (Columns* group : {&points_, &derivatives_}) group->ends = "xyr";
     for (Columns* group : {&points_, &derivatives_, &tangents_}) find_group(*group);
     if (points_.columns.size() < 2)
       throw InputError(place, "columns x, y and z are wanted, or x and y");
@@ -276,7 +280,7 @@ void require_meaning(const GivenPoints& given,
 PointTable read_point_rows(std::unique_ptr<NumberTable> table, const FileReading& reading) {
   GuessedNames guessed{table->names()};
   if (guessed.names.empty()) guessed = names_by_number(*table);
-  const PointLayout layout(guessed.names, table->header_place());
+  const PointLayout layout(guessed.names, table->header_place(), reading.has_radii);
   if (reading.skips_invalid) table = without_missing(std::move(table), layout.columns());
   GivenPoints given = layout.read(*table);
   if (reading.skips_invalid && given.derivatives.empty()) {

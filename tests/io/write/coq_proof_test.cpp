@@ -55,7 +55,8 @@ TEST_CASE("Coq file: t ≤ 0 and zeros of A and of g are refused") {
   CHECK_THROWS_AS(proof(test::farouki_quintic(), {0, 10}), DomainError);
   const Polynomial zero{-1, 2};
   const NamedCurve cusp{"", Curve({zero, zero, {}, zero * zero})};
-  CHECK_THROWS_WITH_AS(proof(cusp, {1, 10}), doctest::Contains("zero between 0 and t"), DomainError);
+  CHECK_THROWS_WITH_AS(proof(cusp, {1, 10}), doctest::Contains("zero between 0 and t"),
+                       DomainError);
   // 1/12 beyond the ends of [0, 1/3] there is no zero yet at twice that.
   CHECK(contains(proof(cusp, {Rational(1, 3), 10}), "D (t : R) := (-1/24) < t < (3/8)."));
   // g = αβ′ − α′β = 2t − 1, up to a constant: an inflection at 1/2.

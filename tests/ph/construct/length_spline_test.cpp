@@ -40,8 +40,8 @@ void check_claims(const HermiteSpline& data, const std::vector<Rational>& length
       CHECK(dot(d, t) > 0);
       CHECK(size(cross(d, t)) <= 1e-14 * size(d) * size(t));
       // The same speed at both ends, the step of the parameter.
-      CHECK(std::abs(size(d) / static_cast<double>(Rational(found.parameters[k + 1] -
-                                                            found.parameters[k])) -
+      CHECK(std::abs(size(d) / static_cast<double>(
+                                   Rational(found.parameters[k + 1] - found.parameters[k])) -
                      1) < 1e-14);
     }
   }
