@@ -5,6 +5,7 @@
 
 #include "curves.hpp"
 #include "phrame/answer/envelope.hpp"
+#include "phrame/ph/offset/minkowski_spline.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 
@@ -54,6 +55,34 @@ void offset_report(State& state) {
     benchmark::DoNotOptimize(answer(path, OffsetQuery{{distance()}}).offsets.data());
 }
 
+/// Under an oval of degree 4: all of it from the factors on, of a curve of degree 13.
+void offset_under_gauge(State& state) {
+  const RationalCurve oval({Polynomial{4, 0, 0, 0, -4}, {0, 8, 0, 8}, {}}, {5, 0, 2, 0, 5});
+  const Gauge gauge{Path(Segment(oval))};
+  const Polynomial phi{-1, 2, Rational(1, 3)};
+  const auto along = [&](const Polynomial& h) { return antiderivative(compose(h, phi)); };
+  const Path path{
+      Segment(RationalCurve({along(gauge.direction()[0]), along(gauge.direction()[1]), {}}))};
+  for (auto _ : state) {
+    const GaugeOffsets offsets(path, gauge);
+    if (!offsets.none().empty()) state.SkipWithError("it is rational");
+    benchmark::DoNotOptimize(cusps(offsets.at(Rational(1, 3))).size());
+  }
+}
+
+/// A spline of a hundred curves with radii, to 10⁻¹⁵.
+void minkowski_spline_100(State& state) {
+  HermiteSpline data;
+  for (long k = 0; k <= 100; ++k) {
+    const Rational t(k, 10);
+    data.points.push_back({t, t * t / 20, 1 + t / 5});
+    data.derivatives.push_back({1, t / 10, Rational(1, 5)});
+    data.parameters.push_back(t);
+  }
+  const Deviation tolerance{power_of_ten(-15), power_of_ten(-15)};
+  for (auto _ : state) benchmark::DoNotOptimize(minkowski_spline(data, tolerance).axis.data());
+}
+
 /// A hundred bows, upwards and downwards in turn, of which the offset is cut on one side.
 PhPath wave() {
   const Curve there({{1}, {}, {}, {-1, 2}}, Polynomial{4});
@@ -92,6 +121,8 @@ BENCHMARK(offset_quintic)->Unit(benchmark::kMicrosecond);
 BENCHMARK(offset_cusps)->Unit(benchmark::kMicrosecond);
 BENCHMARK(offset_self_intersections)->Unit(benchmark::kMillisecond);
 BENCHMARK(offset_length)->Unit(benchmark::kMillisecond);
+BENCHMARK(offset_under_gauge)->Unit(benchmark::kMillisecond);
+BENCHMARK(minkowski_spline_100)->Unit(benchmark::kMillisecond);
 BENCHMARK(offset_report)->Unit(benchmark::kMillisecond);
 
 }  // namespace
