@@ -69,6 +69,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
+#include "phrame/ph/frame/signed_frenet.hpp"
 #include "phrame/ph/frame/compiled_angle.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/frame_quaternion.hpp"

@@ -11,7 +11,8 @@ FrameKind frame_kind(const std::string& name, const PathObject& self) {
                                             {"erf", TabulatedFrame::euler_rodrigues},
                                             {"up", TabulatedFrame::up},
                                             {"mtf", TabulatedFrame::exact_mtf},
-                                            {"frenet", TabulatedFrame::frenet}});
+                                            {"frenet", TabulatedFrame::frenet},
+                                            {"frenet-signed", TabulatedFrame::signed_frenet}});
   if (kind == TabulatedFrame::exact_mtf && !self.named.frame && !self.named.path.is_closed())
     refuse("kind",
            "\"mtf\" is through the orientations that come with a path, or around a closed one; "
@@ -165,7 +166,8 @@ nb::object array_of(const PathObject& self, ArrayQuery asked, const std::vector<
   if (is_erf && !asked.up.is_none()) refuse("up", "the Euler–Rodrigues frame has none", asked.up);
   const bool is_general =
       is_erf ? !self.ph : asked.kind == TabulatedFrame::up || is_to_up(self, asked.up, asked.start);
-  const bool is_tabulated = asked.kind == TabulatedFrame::exact_mtf || !asked.roll.is_zero();
+  const bool is_tabulated = asked.kind == TabulatedFrame::exact_mtf ||
+                            asked.kind == TabulatedFrame::signed_frenet || !asked.roll.is_zero();
   const Numbers numbers = is_tabulated ? tabulated_numbers(self, is_general, at, asked, write)
                                        : numbers_of(self, at, asked, is_general, write);
   if (asked.width == 4 && (is_tabulated || is_general || asked.by != ParameterKind::t ||
@@ -193,7 +195,8 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
                      product(shape),
                      roll_of(roll, self.named.path.segments().size())};
     if (!asked.roll.is_zero() &&
-        (asked.kind == TabulatedFrame::euler_rodrigues || asked.kind == TabulatedFrame::frenet))
+        (asked.kind == TabulatedFrame::euler_rodrigues || asked.kind == TabulatedFrame::frenet ||
+         asked.kind == TabulatedFrame::signed_frenet))
       refuse("roll", "it is of the kinds rmf, up and mtf", roll);
     return array_of(self, asked, shape, write);
   };

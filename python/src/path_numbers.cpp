@@ -66,6 +66,18 @@ void bind_totals(PathClass& path) {
           "those "
           "are continuous; else None.")
       .def(
+          "helicity",
+          [](nb::handle self, nb::handle about) {
+            return to_python(
+                without_gil([along = path_of(self).named.path, v = vector(about, "about")] {
+                  return SignedFrenet(along).turns_about(v);
+                }));
+          },
+          argument("about") = nb::make_tuple(0, 0, 1),
+          nb::sig("def helicity(self, about: Vector = (0, 0, 1)) -> fractions.Fraction"),
+          "How often the normal of a closed path, continued through inflections, turns about the "
+          "tangent against about × e₁: whole, or a half more where it comes back as its opposite.")
+      .def(
           "linking_number",
           [](nb::handle self, nb::handle other) {
             if (!nb::isinstance<PathObject>(other)) refuse_type("other", "a Path", other);

@@ -100,6 +100,7 @@ API = {
     "Path.from_hopf": (phrame.Curve.from_hopf, {"alpha": [1j], "beta": [(1, 2)], **CURVE}),
     "Path.from_complex": (phrame.Path.from_complex, {"w": [1, 1j], **CURVE}),
     "Path.from_control_points": (phrame.Curve.from_control_points, {"points": QUINTIC.control_points, "name": ""}),
+    "Path.helicity": (RING.helicity, {"about": [1, 1, 5]}),
     "Path.linking_number": (RING.linking_number, {"other": OTHER_RING}),
     "Path.of": (phrame.Path.of, {"curve": ([0, 0, 1, 1], [[0, 1], [0, 2], [0, 2]], 1)}),
     "Path.polyline": (phrame.Path.polyline, {"points": POINTS, "closed": False, "name": ""}),

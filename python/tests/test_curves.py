@@ -121,6 +121,10 @@ def test_closed_curves():
     assert abs(float(trefoil.writhe) - gauss.sum() * (2 * np.pi / n) ** 2 / (4 * np.pi)) < 1e-3
     linking = float(trefoil.writhe) + float(trefoil.total_torsion) / (2 * np.pi)
     assert trefoil.self_linking_number == round(linking) and abs(linking - round(linking)) < 1e-12
+    assert trefoil.helicity() == -3 and phrame.Curve.expressions(
+        "(1-cos(2*p)/5)*cos(p)", "(1-cos(2*p)/5)*sin(p)", "3/10*sin(2*p)", 0, "2*pi", variable="p").helicity([0, 0, 1]) == 1
+    through = phrame.read(ROOT / "examples/curves/inflected-quintic.json").frames(np.linspace(0, 1, 9), kind="frenet-signed")
+    assert ((through[1:, 1] * through[:-1, 1]).sum(axis=1) > 0.9).all() and (through[4, 1] == [0, -1, 0]).all()
     assert QUINTIC.writhe is None and QUINTIC.self_linking_number is None and QUINTIC.holonomy is None
     closed = phrame.Curve.through([[0, 0, 0], [2, 0, 1], [2, 2, 0], [0, 2, 1]], closed=True)
     whole = float(closed.writhe) - float(closed.holonomy) / (2 * np.pi)

@@ -16,6 +16,7 @@
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/frame/signed_frenet.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -104,6 +105,7 @@ class FrameRows::State {
   const Path& path() const { return angle_.path(); }
   const Frame<Real>& erf(const Place& at);
   const Frame<Real>& rmf(const Place& at);
+  const SignedFrenet& signed_frenet();
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
   Frame<Real> unrolled(TabulatedFrame kind, const Place& at);
   Frame<Real> of_least_twist(const Place& at);
@@ -127,6 +129,7 @@ class FrameRows::State {
   NearRows near_;
   std::optional<Frame<Real>> erf_;  ///< of this row, once it is found
   std::optional<Frame<Real>> rmf_;  ///< likewise
+  std::optional<SignedFrenet> signed_frenet_;
   std::string reason_;
 };
 
@@ -169,6 +172,11 @@ const Frame<Real>& FrameRows::State::rmf(const Place& at) {
   return *rmf_;
 }
 
+const SignedFrenet& FrameRows::State::signed_frenet() {
+  if (!signed_frenet_) signed_frenet_.emplace(path());
+  return *signed_frenet_;
+}
+
 Frame<Real> FrameRows::State::of_least_twist(const Place& at) {
   const PathTwist& twist = columns_.exact_mtf.value();
   return twist.rmf().reference() == Reference::euler_rodrigues ? twist.frame(at, erf(at))
@@ -185,7 +193,8 @@ Frame<Real> FrameRows::State::rational_twist(const Place& at) {
 /// Those of Euler and Rodrigues and of Frenet are as they are.
 Frame<Real> FrameRows::State::frame(TabulatedFrame kind, const Place& at) {
   const Frame<Real> found = unrolled(kind, at);
-  const bool is_fixed = kind == TabulatedFrame::euler_rodrigues || kind == TabulatedFrame::frenet;
+  const bool is_fixed = kind == TabulatedFrame::euler_rodrigues || kind == TabulatedFrame::frenet ||
+                        kind == TabulatedFrame::signed_frenet;
   return columns_.roll.is_zero() || is_fixed ? found : turned(found, columns_.roll.at(at));
 }
 
@@ -197,6 +206,8 @@ Frame<Real> FrameRows::State::unrolled(TabulatedFrame kind, const Place& at) {
       return erf(at);
     case TabulatedFrame::frenet:
       return frenet_frame(path(), at);
+    case TabulatedFrame::signed_frenet:
+      return signed_frenet().frame(at);
     case TabulatedFrame::up:
       return up_frame(path(), angle_.up(), at);
     case TabulatedFrame::mtf:
@@ -249,6 +260,7 @@ Real FrameRows::State::twisting(TabulatedScalar kind, const Place& at) const {
 Real FrameRows::State::scalar(TabulatedScalar kind, const Place& at) {
   if (kind == TabulatedScalar::arc_length) return arc_length(at);
   if (kind >= TabulatedScalar::twist_rate) return twisting(kind, at);
+  if (kind == TabulatedScalar::signed_curvature) return signed_frenet().curvature(at);
   if (!is_of_frenet(kind)) return turning(kind, at);
   const Segment& segment = path().segments()[at.segment];
   if (std::holds_alternative<ExpressionCurve>(segment)) {

@@ -17,6 +17,7 @@ enum class TabulatedFrame {
   mtf,              ///< of minimal twist and rational
   exact_mtf,        ///< of minimal twist, at a constant rate
   up,               ///< v × e₁ and e₁ × (v × e₁), of length 1, of paths of any kind
+  signed_frenet,    ///< n, b continued through inflections, of SignedFrenet
 };
 
 /// Numbers that it can hold as well.
@@ -28,9 +29,10 @@ enum class TabulatedScalar {
   bend_f2,  ///< k₁ of Bishop, with e₁′ = k₁ f₂ + k₂ f₃, f₂′ = −k₁ e₁ by arc length
   bend_f3,  ///< k₂, with f₃′ = −k₂ e₁
   // The angular velocity ω = e₁ × e₁′ of the rotation-minimizing frame per arc length, across e₁:
-  omega_x,  ///< in x
-  omega_y,  ///< in y
-  omega_z,  ///< in z
+  omega_x,           ///< in x
+  omega_y,           ///< in y
+  omega_z,           ///< in z
+  signed_curvature,  ///< κ with the sign that it has with n of SignedFrenet
   // Of the frame exact_mtf, by arc length too:
   twist_rate,     ///< the rate at which it turns about e₁
   twist_omega_x,  ///< its angular velocity, e₁ × e₁′ and that rate along e₁, in x

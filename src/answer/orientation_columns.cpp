@@ -32,6 +32,8 @@ FrameNames names_of(TabulatedFrame frame) {
       return {"mtf", "mtf2", "mtf3"};
     case TabulatedFrame::exact_mtf:
       return {"exact_mtf", "exact_mtf2", "exact_mtf3"};
+    case TabulatedFrame::signed_frenet:
+      return {"signed_frenet", "sn", "sb"};
   }
   return {"", "", ""};
 }

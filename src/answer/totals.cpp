@@ -12,6 +12,7 @@
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/frame/closed_curve.hpp"
+#include "phrame/ph/frame/signed_frenet.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -110,6 +111,16 @@ void add_linking(Totals& totals, const Path& path, const Path& other) {
   }
 }
 
+void add_helicity(Totals& totals, const Path& path, const Vector<Rational>& about) {
+  try {
+    totals.add(Quantity::helicity, Real(SignedFrenet(path).turns_about(about)));
+  } catch (const DomainError& error) {
+    totals.add_reason(Quantity::helicity, error.what());
+  } catch (const Undecided& undecided) {
+    totals.add_reason(Quantity::helicity, std::string("undecided: ") + undecided.what());
+  }
+}
+
 }  // namespace
 
 constexpr std::array quantity_names{"length",
@@ -125,8 +136,9 @@ constexpr std::array quantity_names{"length",
                                     "turn per length that closes a sweep",
                                     "writhe",
                                     "self-linking number",
-                                    "linking number"};
-static_assert(quantity_names.size() == static_cast<std::size_t>(Quantity::linking) + 1);
+                                    "linking number",
+                                    "helicity"};
+static_assert(quantity_names.size() == static_cast<std::size_t>(Quantity::helicity) + 1);
 
 const char* name_of(Quantity kind) { return quantity_names[static_cast<std::size_t>(kind)]; }
 
@@ -165,6 +177,7 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
     for (Row& row : writhe_rows(path, query.digits)) answer.rows.push_back(std::move(row));
   }
   if (query.other) add_linking(totals, path, query.other->path);
+  if (query.helicity_about) add_helicity(totals, path, *query.helicity_about);
   return answer;
 }
 

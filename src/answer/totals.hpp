@@ -9,6 +9,9 @@ namespace phrame::inline v0 {
 struct TotalsQuery {
   long digits = 17;                               ///< of all values
   std::optional<NamedPath> other = std::nullopt;  ///< with which a closed path may be linked
+  /// v × e₁ is what the turns of the normal of a closed path are counted from, where they are
+  /// asked.
+  std::optional<Vector<Rational>> helicity_about = std::nullopt;
 };
 
 /// Such an integral, and what else a closed path has.
@@ -30,6 +33,7 @@ enum class Quantity {
   writhe,        ///< Gauss's integral over the curve twice
   self_linking,  ///< writhe + ∫ τ ds/2π, whole
   linking,       ///< with the other closed path, whole
+  helicity,      ///< turns of the signed normal about e₁, SignedFrenet::turns_about()
 };
 
 /// "twist of the ERF".

@@ -76,10 +76,13 @@ AskedRows with_sides(const AskedRows& of, const Path& path, Side side) {
 Rational approximated(const Real& x) { return x.exact() ? *x.exact() : x.enclose(192).midpoint(); }
 
 const Names<TabulatedFrame>& frame_names() {
-  static const Names<TabulatedFrame> names{
-      {"rmf", TabulatedFrame::rmf},       {"erf", TabulatedFrame::euler_rodrigues},
-      {"frenet", TabulatedFrame::frenet}, {"up", TabulatedFrame::up},
-      {"mtf", TabulatedFrame::mtf},       {"mtf-exact", TabulatedFrame::exact_mtf}};
+  static const Names<TabulatedFrame> names{{"rmf", TabulatedFrame::rmf},
+                                           {"erf", TabulatedFrame::euler_rodrigues},
+                                           {"frenet", TabulatedFrame::frenet},
+                                           {"up", TabulatedFrame::up},
+                                           {"mtf", TabulatedFrame::mtf},
+                                           {"mtf-exact", TabulatedFrame::exact_mtf},
+                                           {"frenet-signed", TabulatedFrame::signed_frenet}};
   return names;
 }
 
@@ -93,6 +96,7 @@ const Names<std::vector<TabulatedScalar>>& column_names() {
       {"frenet_rate", {frenet_rate}},
       {"bishop", {bend_f2, bend_f3}},
       {"omega", {omega_x, omega_y, omega_z}},
+      {"signed_curvature", {signed_curvature}},
       {"twist_rate", {twist_rate}},
       {"twist_omega", {twist_omega_x, twist_omega_y, twist_omega_z}},
       {"twist_alpha", {twist_alpha_x, twist_alpha_y, twist_alpha_z}},
@@ -350,11 +354,13 @@ void add_frames(Program& program) {
       "--frame", options->frames, keys(frame_names()),
       "any of rmf (rotation-minimizing, default: f2, f3), erf (Euler-Rodrigues:\n"
       "e2, e3), frenet (n, b), up (of a fixed vector), mtf and mtf-exact (of minimal\n"
-      "twist: rational, or at a constant rate)");
+      "twist: rational, or at a constant rate), and frenet-signed (sn, sb: frenet,\n"
+      "continued through inflections)");
   command.add_choices(
       "--columns", options->scalars, keys(column_names()),
       "any of s (arc length), curvature, torsion, frenet_rate, bishop (k1, k2 of the\n"
-      "RMF) and omega (its angular velocity per length); of mtf-exact twist_rate,\n"
+      "RMF), omega (its angular velocity per length) and signed_curvature (with the sign\n"
+      "that it has with frenet-signed); of mtf-exact twist_rate,\n"
       "twist_omega and twist_alpha (its rate about e1, angular velocity and\n"
       "acceleration per length); and of each frame quaternion (x, y, z, w) and matrix\n"
       "(4 x 4, by rows)");

@@ -11,6 +11,7 @@ struct TotalsOptions {
   TextLength length;
   long digits = 17;
   std::optional<std::string> other;
+  std::optional<std::string> helicity;
 };
 
 void run(const TotalsOptions& options) {
@@ -22,6 +23,7 @@ void run(const TotalsOptions& options) {
     other.path = *options.other;
     query.other = other.read_any_path();
   }
+  if (options.helicity) query.helicity_about = parse_vector_option("--helicity", *options.helicity);
   const NamedPath path = options.curve.read_any_path();
   options.length.write(options.curve.output, print(answer(path, query)));
 }
@@ -36,6 +38,9 @@ void add_totals(Program& program) {
   add_digits(command, options->digits);
   command.add_option("--linked-with", "FILE", options->other,
                      "another closed curve: how often the two are linked");
+  command.add_option("--helicity", "X,Y,Z", options->helicity,
+                     "of a closed curve, how often the normal, continued through inflections,\n"
+                     "turns about the tangent against v x e1 of this vector v");
   command.add_format("--print", options->print, {"text", "json", "latex"},
                      "text (default), json or latex");
   options->length.add_to(command);

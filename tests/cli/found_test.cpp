@@ -155,6 +155,12 @@ const std::vector<Case> cases{
     {"SciPy", "construct @hermite.json --kind planar --solution 3", 0, {"9361.82\n"}},
     // DESC 1535: the curvature is 0 at p = 0 and π.
     {"DESC", "info @axis.json", 0, {"7.0631900898132"}},
+    {"DESC", "totals @axis.json --helicity 0,0,1", 0, {"helicity\n    = 1\n"}},
+    {"DESC",
+     "frames @axis.json --frame frenet-signed --columns signed_curvature --at 0,1/4,1/2,3/4",
+     0,
+     {",0,0.6,-0.8,", ",0,-1,0,", ",0,0.6,0.8,", ",1.1111111111111112\n",
+      ",-1.1111111111111112\n"}},
     // Speeds that are no rational functions: toppra 150, ArcWelder 33. v = 1 + time with the first.
     {"toppra",
      "interpolate @hermite.json --period 1 --feed 'sqrt(1 + 2*s)'",

@@ -123,6 +123,7 @@ const std::map<std::string, std::string> values{{"--at", "1/3"},
                                                 {"--angles", "1/3,0"},
                                                 {"--solution", "2"},
                                                 {"--lengths", "9"},
+                                                {"--helicity", "0,1,3"},
                                                 {"--header", "t,f2x,f2y,f2z"},
                                                 {"--frames", "frames.csv"},
                                                 {"--profile", "polygon:3,1"},
@@ -320,6 +321,8 @@ TEST_CASE("options: each one, and each pair, is refused or changes the answer") 
         if (only_a.status > 1 || only_b.status > 1) continue;  // what is undefined stays so
         if (a.text == "--join open" && b.option == "--digits")
           continue;  // of lines, which are exact
+        if (command_of(call) == "envelope" && a.option == "--print" && b.option == "--digits")
+          continue;  // of places where it is cut, which may all be rational
         if (!may_be_equal(b.option)) CHECK_FALSE(are_equal(run, only_a));
         if (!may_be_equal(a.option)) CHECK_FALSE(are_equal(run, only_b));
       }

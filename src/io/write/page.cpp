@@ -47,6 +47,8 @@ JsonOutput shown_frame(TabulatedFrame frame, bool is_closed) {
       return json("Frenet", "n", "b", "n", "b");
     case TabulatedFrame::up:
       return json("of the vector v", "up2", "up3", "e₂", "e₃");
+    case TabulatedFrame::signed_frenet:
+      return json("Frenet, signed", "sn", "sb", "n", "b");
     case TabulatedFrame::mtf:
     case TabulatedFrame::exact_mtf:
       break;

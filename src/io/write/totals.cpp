@@ -22,7 +22,7 @@ struct Label {
   const char* symbol;  ///< in a formula of prose()
 };
 
-constexpr std::array<Label, 14> labels{{{"length", "∫ ds"},
+constexpr std::array<Label, 15> labels{{{"length", "∫ ds"},
                                         {"erf_twist", "∫ 2h/σ\\, dt"},
                                         {"torsion", "∫ τ\\, ds"},
                                         {"curvature", "∫ κ\\, ds"},
@@ -35,8 +35,9 @@ constexpr std::array<Label, 14> labels{{{"length", "∫ ds"},
                                         {"closing_turn_per_length", ""},
                                         {"writhe", ""},
                                         {"self_linking", ""},
-                                        {"linking", ""}}};
-static_assert(labels.size() == static_cast<std::size_t>(Quantity::linking) + 1);
+                                        {"linking", ""},
+                                        {"helicity", ""}}};
+static_assert(labels.size() == static_cast<std::size_t>(Quantity::helicity) + 1);
 
 const Label& label(Quantity quantity) { return labels[static_cast<std::size_t>(quantity)]; }
 

@@ -15,13 +15,6 @@ Vector<Real> over_size(const Vector<Real>& v, const Real& squared_size) {
           over_square_root(v[2], squared_size)};
 }
 
-/// H/|H| and, for an n normal to it, n/|n| and H × n/|H × n|.
-Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
-  const Real sigma = cached(dot(H, H));
-  const Real size = cached(dot(n, n));
-  return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
-}
-
 /// The angle about H from e₂, which `second` is along, to n. Its form is known where all are exact.
 Real angle_to(const Vector<Real>& n, const Vector<Real>& H, const Vector<Real>& second) {
   const Real x = dot(n, second);
@@ -86,6 +79,12 @@ void require_across(const Vector<Rational>& normal, const Vector<Real>& H) {
 }
 
 }  // namespace
+
+Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n) {
+  const Real sigma = cached(dot(H, H));
+  const Real size = cached(dot(n, n));
+  return {over_size(H, sigma), over_size(n, size), over_size(cross(H, n), sigma * size)};
+}
 
 Frame<Real> up_frame(const Path& path, const Vector<Rational>& up, const Place& at) {
   const Vector<Real> H = direction(path, at);

@@ -11,6 +11,8 @@ namespace phrame::inline v0 {
 // more is exact where its angle to the Euler–Rodrigues frame is the argument of a rational number,
 // and of the rest nothing is known.
 
+/// H/|H| and, for an n normal to it, n/|n| and H × n/|H × n|.
+PHRAME_API Frame<Real> frame_along(const Vector<Real>& H, const Vector<Real>& n);
 /// e₁.
 PHRAME_API Vector<Real> tangent(const Path& path, const Place& at);
 /// (e₁, e₂, e₃) with e₂ = v × H/|v × H|. v is nowhere along the tangent.

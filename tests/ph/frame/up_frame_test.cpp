@@ -1,6 +1,7 @@
 #include "phrame/ph/frame/up_frame.hpp"
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "support/random.hpp"
 
 namespace up_frame_test {
