@@ -185,9 +185,10 @@ TEST_CASE("frames: arc lengths and columns that make no sense are refused by nam
                 "--by: needs --at, --samples or --subdivide");
   check_failure(here.run("frames quintic.json --by length --at 0"), 2,
                 "--by: \"length\" is not one of t, native, unit, arc-length, fraction");
-  check_failure(here.run("frames quintic.json --at 0 --columns speed"), 2,
-                "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
-                "omega, twist_rate, twist_omega, twist_alpha, quaternion, matrix");
+  check_failure(
+      here.run("frames quintic.json --at 0 --columns speed"), 2,
+      "--columns: \"speed\" is not one of s, curvature, torsion, frenet_rate, bishop, "
+      "omega, signed_curvature, twist_rate, twist_omega, twist_alpha, quaternion, matrix");
   check_failure(here.run("frames quintic.json --by arc-length --at x"), 2,
                 "--at: \"x\" is not a number");
   check_failure(here.run("frames quintic.json --by arc-length --at 5"), 3,
