@@ -250,7 +250,7 @@ std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
     const Parameters& asked) const {
   std::vector<Rational> at = asked.given();
   if (asked.kind() == ParameterKind::t) {
-    NamedPhPath named = read_path();
+    NamedPhPath named = read_path_with_preimages();
     for (long k = 0; k < asked.samples; ++k)
       at.push_back(named.path.end() * Rational(k, asked.samples - 1));
     return {std::move(named), std::move(at)};

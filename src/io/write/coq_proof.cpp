@@ -79,6 +79,12 @@ std::string coq_header(const CoqAnswer& answer) {
       to_string(answer.t), version);
 }
 
+/// W > 0 in the domain, and the sign that it is multiplied by.
+std::pair<Polynomial, Rational> weight_and_sign(const Curve& curve) {
+  const Rational sign = curve.weight()(0) < 0 ? -1 : 1;
+  return {sign * curve.weight(), sign};
+}
+
 std::string curve_definitions(const CoqAnswer& answer) {
   const Curve& curve = answer.curve;
   const QuaternionPolynomial derivative = differentiate(curve.preimage());
@@ -97,13 +103,14 @@ std::string curve_definitions(const CoqAnswer& answer) {
                       "Definition f (t : R) := {}.\n"
                       "Definition r (t : R) := Vector\n  {}\n  {}\n  {}.\n\n",
                       horner(curve.multiplier()), argument(x), argument(y), argument(z));
+  const auto [weight, sign] = weight_and_sign(curve);
   return text + fmt::format(
                     "Definition W (t : R) := {}.\n"
                     "Definition f (t : R) := {} / (W t * W t).\n"
                     "Definition r (t : R) := Vector\n"
                     "  ({} / W t)\n  ({} / W t)\n  ({} / W t).\n\n",
-                    horner(curve.weight()), argument(curve.multiplier()), argument(x), argument(y),
-                    argument(z));
+                    horner(weight), argument(curve.multiplier()), argument(sign * x),
+                    argument(sign * y), argument(sign * z));
 }
 
 std::string rate_of(const CoqAnswer& answer) {
@@ -131,25 +138,25 @@ std::string frame_definitions(const CoqAnswer& answer) {
       e2, e3);
 }
 
-/// The proof of 0 < p, a `what` that is a polynomial, on the domain.
-std::string positive_by_intervals(const CoqAnswer& answer, const std::string& what,
+/// The proof of 0 < p on the domain, where `shown` is how p is made of what it is called.
+std::string positive_by_intervals(const CoqAnswer& answer, const std::string& shown,
                                   const Polynomial& p) {
   const auto& [lower, upper] = *answer.domain;
   return fmt::format(
       "  intros [H1 H2]; assert (H : {} <= t <= {}) by lra.\n"
       "  replace ({}) with {} by (expand; field).\n"
       "  interval with (i_bisect t, i_taylor t, i_prec {}, i_depth 60).\n",
-      number(lower), number(upper), what, argument(p), answer.effort.precision);
+      number(lower), number(upper), shown, argument(p), answer.effort.precision);
 }
 
 std::string lemmas_of_curve(const CoqAnswer& answer) {
   const Curve& curve = answer.curve;
   const bool is_polynomial = curve.is_polynomial();
   std::string text = fmt::format(
-      "Ltac expand := unfold g_squared, g_re, g_im, sigma, h, A, A'{}; simpl.\n\n"
+      "Ltac expand := unfold g_squared, g_re, g_im, sigma, h, A, A'{}{}; simpl.\n\n"
       "Lemma A_derivative t : quaternion_derivative A t (A' t).\n"
       "Proof. unfold A, A'; differentiate. Qed.\n",
-      answer.bend_rate ? ", A''" : "");
+      answer.bend_rate ? ", A''" : "", is_polynomial ? "" : ", W");
   text += answer.bend_rate ? "Lemma A'_derivative t : quaternion_derivative A' t (A'' t).\n"
                              "Proof. unfold A', A''; differentiate. Qed.\n"
                              "Lemma A''_continuous t : quaternion_continuous A'' t.\n"
@@ -158,7 +165,7 @@ std::string lemmas_of_curve(const CoqAnswer& answer) {
                              "Proof. unfold A'; continuous_polynomials. Qed.\n";
   if (!is_polynomial)
     text += "Lemma W_positive t : D t -> 0 < W t.\nProof.\n" +
-            positive_by_intervals(answer, "W t", curve.weight()) + "Qed.\n";
+            positive_by_intervals(answer, "W t", weight_and_sign(curve).first) + "Qed.\n";
   text += "Lemma sigma_positive t : D t -> 0 < sigma (A t).\nProof.\n";
   if (const auto& c = answer.cofactors)
     text += fmt::format(

@@ -51,6 +51,26 @@ TEST_CASE(
                  "atan (" + to_string(angle.direction.im / angle.direction.re) + ")"));
 }
 
+TEST_CASE(
+    "Coq file: of a rational curve W is positive where the theorem holds, and f is over its "
+    "square") {
+  // r = (t, 0, 0)/(−1 − t²), r′ = (t² − 1, 0, 0)/W².
+  const Polynomial square{1, 0, 1};
+  const Curve curve = Curve::quotient({{1}, {}, {}, {}}, {-1, 0, 1}, {Polynomial{0, 1}, {}, {}},
+                                      Rational(-1) * square);
+  const std::string text = proof({"", curve}, {1, 10});
+  CHECK(contains(text, "Definition W (t : R) := t * t + 1.\n"));
+  CHECK(contains(text, "Definition f (t : R) := (t * t - 1) / (W t * W t).\n"));
+  CHECK(contains(text, "  (((-1) * t) / W t)\n"));
+  CHECK(contains(text, "Definition D (t : R) := (-1/4) < t < (5/4).\n"));
+  // To the point at infinity of (t − 1/2, 0, 0)/(2 − t), which is at 2.
+  const Curve pole = Curve::quotient({{1}, {}, {}, {}}, {Rational(3, 2)},
+                                     {Polynomial{Rational(-1, 2), 1}, {}, {}}, {2, -1});
+  CHECK_THROWS_WITH_AS(proof({"", pole}, {2, 10}), doctest::Contains("a point at infinity"),
+                       DomainError);
+  CHECK(contains(proof({"", pole}, {1, 10}), "< t < (5/4)."));
+}
+
 TEST_CASE("Coq file: t ≤ 0 and zeros of A and of g are refused") {
   CHECK_THROWS_AS(proof(test::farouki_quintic(), {0, 10}), DomainError);
   const Polynomial zero{-1, 2};
