@@ -145,6 +145,32 @@ TEST_CASE("answers: an integral, and what a proof assistant is to prove") {
   CHECK_THROWS_AS(answer(quintic, CoqQuery{0, 20}), DomainError);
 }
 
+// What the proof that Coq checks is made of obeys the identities that it is to prove.
+TEST_CASE("answers: cofactors make 1, and fractions in lowest terms are the rates of the angle") {
+  const CoqAnswer coq = answer(quintic, CoqQuery{1, 20, Reference::frenet});
+  const auto& [u, v, p, q] = quintic.preimage();
+  const auto& c = coq.cofactors.value();
+  CHECK(c[0] * u + c[1] * v + c[2] * p + c[3] * q == Polynomial{1});
+  const GaussianPolynomial g = bend_numerator(quintic.preimage());
+  const auto& d = coq.bend_cofactors.value();
+  CHECK(d[0] * g.re + d[1] * g.im == Polynomial{1});
+  CHECK_FALSE(coq.domain.has_value());
+  CHECK(coq.rate.lowest == rate_to_erf(quintic.preimage()));
+  CHECK(coq.rate.lowest + coq.bend_rate.value().lowest ==
+        RmfAngle(quintic, Reference::frenet).rate());
+  CHECK(coq.rate.lowest.denominator() * coq.rate.common == sigma(quintic.preimage()));
+  CHECK(Rational(4) * coq.bend_rate->lowest.denominator() * coq.bend_rate->common ==
+        rho(quintic.preimage()));
+  // Times t² + 1 there are no cofactors, and nothing is known beyond an interval.
+  const Polynomial factor{1, 0, 1};
+  const Curve common({factor * u, factor * v, factor * p, factor * q});
+  const CoqAnswer other = answer(common, CoqQuery{2, 20});
+  CHECK_FALSE(other.cofactors.has_value());
+  CHECK(other.domain.value().lower == Rational(-1, 2));
+  CHECK(other.domain->upper == Rational(5, 2));
+  CHECK(other.rate.lowest == coq.rate.lowest);
+}
+
 // With θ_i = 0 and θ_f = θ_RMF(1) to the nearest 10⁻³⁰ no twist is left; θ is that of the RMF.
 TEST_CASE("answers: of minimal twist between the orientations of the RMF") {
   const Rational end = parse_rational(truth("theta_RMF_rel_ERF", "1").substr(0, 32));

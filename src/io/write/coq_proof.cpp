@@ -65,12 +65,12 @@ std::string coq_angle(const FrameAngle& angle) {
 
 std::string coq_header(const CoqAnswer& answer) {
   return fmt::format(
-      "(* The rotation-minimizing frame of a curve, and its angle at t = {}, written by phrame "
-      "{}.\n"
-      "   What is proved is the last theorem. It needs Coq with Coquelicot and CoqInterval, and "
-      "in\n"
-      "   the same folder phrame's rotation_minimizing.v, compiled: there is what the words mean. "
-      "*)\n"
+      "(* The rotation-minimizing frame of a curve, and its angle at t = {}.\n"
+      "   Written by phrame {}. What is proved is the last theorem. It needs Coq with Coquelicot "
+      "and\n"
+      "   CoqInterval, and beside it phrame's rotation_minimizing.v, compiled, which says what "
+      "the\n"
+      "   words mean. *)\n"
       "From Coq Require Import Reals Lra.\n"
       "From Coquelicot Require Import Coquelicot.\n"
       "From Interval Require Import Tactic.\n"
@@ -89,8 +89,7 @@ std::string curve_definitions(const CoqAnswer& answer) {
   const Curve& curve = answer.curve;
   const QuaternionPolynomial derivative = differentiate(curve.preimage());
   std::string text = fmt::format(
-      "(* The preimage A = u + v i + p j + q k, its derivative{}, the multiplier f, and the curve "
-      "r. "
+      "(* The preimage A = u + v i + p j + q k, its derivative{}, the multiplier f, the curve r. "
       "*)\n"
       "Definition A (t : R) := {}.\n"
       "Definition A' (t : R) := {}.\n",
