@@ -137,7 +137,8 @@ Construction length_spline(const HermiteSpline& data, const std::vector<Rational
   }
   // The angle between tangents is less than twice the distance of unit vectors.
   Deviation aimed{tolerance.points, tolerance.derivatives / 2};
-  for (;; aimed.points /= 256, aimed.derivatives /= 256) {
+  constexpr int most_passes = 20;
+  for (int pass = 0; pass < most_passes; ++pass, aimed.points /= 256, aimed.derivatives /= 256) {
     const Rational finest =
         std::min(Rational(aimed.points / *std::max_element(lengths.begin(), lengths.end())),
                  aimed.derivatives);
@@ -161,6 +162,7 @@ Construction length_spline(const HermiteSpline& data, const std::vector<Rational
     found.deviation.derivatives = tangents.deviation().derivatives;
     if (is_within(found.deviation, tolerance)) return found;
   }
+  throw Undecided("the quintics of given lengths: these are too sensitive to their coefficients");
 }
 
 }  // namespace phrame
