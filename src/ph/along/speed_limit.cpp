@@ -310,6 +310,21 @@ SeriesFunction SpeedLimits::difference(const SpeedLimit& a, const SpeedLimit& b,
   };
 }
 
+std::optional<Polynomial> SpeedLimits::algebraic_difference(const SpeedLimit& a,
+                                                            const SpeedLimit& b,
+                                                            std::size_t segment) const {
+  if (a.kind != Kind::normal) {
+    if (b.kind != Kind::normal) return std::nullopt;
+    const auto found = algebraic_difference(b, a, segment);
+    return found ? std::optional(-*found) : std::nullopt;
+  }
+  const auto known = state_->exactly(segment);
+  if (!known || b.kind != Kind::constant || !b.fourth_power) return std::nullopt;
+  const Rational& A = *state_->limits.normal;
+  const RationalFunction& K = known->squared_curvature;  // its denominator is positive
+  return A * A * K.denominator() - *b.fourth_power * K.numerator();
+}
+
 SeriesFunction SpeedLimits::excess(const SpeedLimit& limit, int side, std::size_t segment) const {
   const Rational bound = Rational(side) * *state_->limits.tangential;
   return [state = state_, limit, bound, segment](const RealBall& t, long length, long bits) {

@@ -54,6 +54,9 @@ class SpeedLimits {
   SeriesFunction time_rate(const SpeedLimit& limit, std::size_t segment) const;
   /// A function with the sign of v_a − v_b where both are > 0, analytic where κ = 0, too.
   SeriesFunction difference(const SpeedLimit& a, const SpeedLimit& b, std::size_t segment) const;
+  /// The same as a polynomial in t, of the normal limit and a constant along a rational curve.
+  std::optional<Polynomial> algebraic_difference(const SpeedLimit& a, const SpeedLimit& b,
+                                                 std::size_t segment) const;
   /// A function with the sign of dw/ds − 2·side·A, A the greatest tangential acceleration.
   SeriesFunction excess(const SpeedLimit& limit, int side, std::size_t segment) const;
   /// w at t of the segment.

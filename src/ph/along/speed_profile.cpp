@@ -13,6 +13,7 @@
 #include "phrame/ph/along/segment_time.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 // The greatest w ≤ B with |w′| ≤ 2A is found by two walks. Along the path a line of slope 2A leaves
 // B where B′ > 2A or B jumps up, and ends where it meets B again; that is the greatest one with
@@ -40,12 +41,12 @@ int order(const Real& a, const Real& b) {
   return found;
 }
 
-/// A rational number in (a, b).
+/// A rational number in (a, b), not the middle, where symmetric curves have what is special.
 Rational between(const Real& a, const Real& b) {
   for (long bits = 64;; bits *= 2) {
     const Rational low = a.enclose(bits).upper();
     const Rational high = b.enclose(bits).lower();
-    if (low < high) return (low + high) / 2;
+    if (low < high) return low + Rational(31, 64) * (high - low);
     if (bits > 2048) throw Undecided("feedrate: two places are not told apart");
   }
 }
@@ -120,6 +121,8 @@ class BoundSearch {
   std::vector<PieceStart> starts_of_pieces() const;
   void add(std::size_t segment, const Feedrate::Piece& piece, const Cut& from, const Cut& to);
   void add(std::size_t segment, const SpeedLimit& limit, const Cut& from, const Cut& to);
+  std::vector<Real> changes_of(const SpeedLimit& a, const SpeedLimit& b, std::size_t segment,
+                               const Real& from, const Real& to) const;
   const SpeedLimit& least_at(const Choice& choice, std::size_t segment, const Rational& t) const;
   void require_positive(std::size_t segment, const SpeedLimit& limit, const Real& t0,
                         const Real& t1) const;
@@ -183,6 +186,23 @@ Spans BoundSearch::spans() {
   return std::move(spans_);
 }
 
+/// Where the less of two limits changes. What touches is told by algebra, where it can be.
+std::vector<Real> BoundSearch::changes_of(const SpeedLimit& a, const SpeedLimit& b,
+                                          std::size_t segment, const Real& from,
+                                          const Real& to) const {
+  try {
+    return changes_within(limits_.difference(a, b, segment), from, to, least_limit);
+  } catch (const Undecided&) {
+    const auto p = limits_.algebraic_difference(a, b, segment);
+    if (!p) throw;
+    std::vector<Real> found;
+    for (const RealRoot& root : odd(real_roots(*p, open_interval(0, 1))))
+      if (const Real t = to_real(root.at); order(t, from) > 0 && order(t, to) < 0)
+        found.push_back(t);
+    return found;
+  }
+}
+
 /// The parts on which one limit is the least.
 void BoundSearch::add(std::size_t segment, const Feedrate::Piece& piece, const Cut& from,
                       const Cut& to) {
@@ -202,8 +222,7 @@ void BoundSearch::add(std::size_t segment, const Feedrate::Piece& piece, const C
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (all[i]->kind == Kind::constant && all[j]->kind == Kind::constant) continue;
-      const auto at =
-          changes_within(limits_.difference(*all[i], *all[j], segment), from.t, to.t, least_limit);
+      const std::vector<Real> at = changes_of(*all[i], *all[j], segment, from.t, to.t);
       cuts.insert(cuts.end(), at.begin(), at.end());
     }
   std::sort(cuts.begin() + 1, cuts.end(),
@@ -323,7 +342,6 @@ class Walk {
     return anchor_w_ + Real(direction_ * slope_) * (s + -anchor_s_);
   }
   void leave(const Real& s, const Real& w);
-  void pass_line(const Span& span);
   void finish_line(const Real& s);
   void pass(const Span& span);
   Span cut(const Span& span, const Real& t, const Real& s, const Real& w) const;

@@ -27,6 +27,8 @@ PHRAME_API bool is_rounded_total(const Rational& time, const Real& total);
 /// that is not 0. Not for concurrent use; to move one is to copy it.
 class PHRAME_API TravelTime {
  public:
+  /// With V of another kind than a rational function, or limits of the acceleration, as
+  /// SpeedProfile: the motion is the fastest one under all of them, and T has no closed form.
   /// Throws DomainError where V is not positive and finite all along; and of the curvature where
   /// the path is in no plane, or the curvature undefined. Throws Undecided where that is not told.
   /// That of V(s) and V(t) is decided by algebra, and of V(κ) along PH curves with a rational unit

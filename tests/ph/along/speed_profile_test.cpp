@@ -109,6 +109,16 @@ TEST_CASE("speed profile: on an arc the normal limit is a constant, and where it
   }
 }
 
+// κ = 2/(1 + t²)², so that 1 = √(A/κ) at t = 0 with A = 2, where both have the slope 0; and at 0 of
+// the whole, in the middle, where they touch.
+TEST_CASE("speed profile: limits that touch are told by algebra along rational curves") {
+  const Curve cubic({{1}, {}, {}, {0, 1}});
+  CHECK(TravelTime(Path(cubic), feed("1", 2)).total().exact() == Rational(4, 3));
+  const Curve whole = segment(cubic, -1, 1);
+  CHECK(TravelTime(Path(whole), feed("1", 2)).total().exact() == Rational(8, 3));
+  CHECK(TravelTime(Path(whole), feed("1", 2, 1)).total().exact() == Rational(8, 3) + 1);
+}
+
 TEST_CASE("speed profile: speeds at the ends that the motion cannot have are refused") {
   const Path line = test::polygon({{0, 0, 0}, {6, 0, 8}});
   const auto refused = [&](const Feedrate& of, const char* why) {
