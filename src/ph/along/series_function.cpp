@@ -9,6 +9,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 
 // On a part with the middle m, f is f(m) + (t − m)·f′ somewhere on it; where f′ has no zero there,
 // the signs at the ends tell whether f has one.
@@ -119,6 +120,30 @@ std::vector<Real> sign_changes(const SeriesFunction& f, const Rational& lower,
   ZeroSearch zeros(f, what);
   zeros.search({lower, sign_at(f, lower)}, {upper, sign_at(f, upper)}, 0);
   return std::move(zeros).found();
+}
+
+int order(const Real& a, const Real& b) {
+  const Real difference = a + -b;
+  const int found = sign_of(difference);
+  if (found == 0 && !difference.exact())
+    throw Undecided("feedrate: two places where the motion changes are not told apart");
+  return found;
+}
+
+Rational below(const Real& t) {
+  return t.exact() ? *t.exact() : std::max(Rational(0), t.enclose(96).lower());
+}
+Rational above(const Real& t) {
+  return t.exact() ? *t.exact() : std::min(Rational(1), t.enclose(96).upper());
+}
+
+std::vector<Real> sign_changes(const SeriesFunction& f, const Real& a, const Real& b,
+                               const std::string& what) {
+  std::vector<Real> found = sign_changes(f, below(a), above(b), what);
+  std::erase_if(found, [&](const Real& t) {
+    return (!a.exact() && order(t, a) <= 0) || (!b.exact() && order(t, b) >= 0);
+  });
+  return found;
 }
 
 struct SeriesIntegral::Part {

@@ -22,6 +22,16 @@ int sign_at(const SeriesFunction& f, const Rational& t);
 std::vector<Real> sign_changes(const SeriesFunction& f, const Rational& lower,
                                const Rational& upper, const std::string& what);
 
+/// The same in (a, b). f is asked for next to these, too, if they are not exact.
+std::vector<Real> sign_changes(const SeriesFunction& f, const Real& a, const Real& b,
+                               const std::string& what);
+/// The sign of a − b. Throws Undecided where 2048 bits do not tell it.
+int order(const Real& a, const Real& b);
+/// @{ A number of [0, 1] that is at most t, and one that is at least t; t where that is exact.
+Rational below(const Real& t);
+Rational above(const Real& t);
+/// @}
+
 /// t ↦ ∫ f from `lower` to t, by Taylor polynomials on parts of [lower, upper], of which the rest
 /// is bounded by the next coefficient on the whole part (Lagrange). Copies share what was found;
 /// any thread may ask.
