@@ -243,9 +243,11 @@ void BoundSearch::add(std::size_t segment, const SpeedLimit& limit, const Cut& f
     if (!spans_.empty() && k == 0) {
       const SpeedLimit& other = *spans_.back().limit;
       const bool is_at_joint = spans_.back().segment != segment;
-      const bool goes_on = other.kind == Kind::normal && limit.kind == Kind::normal;
-      span.jumps = is_at_joint ? jumps_ || other.depends_on_curvature || limit.depends_on_curvature
-                               : jumps_ && !goes_on;
+      const bool goes_on = other.kind == Kind::normal && limit.kind == Kind::normal &&
+                           (!is_at_joint || limits_.curvature_goes_on(segment));
+      span.jumps =
+          !goes_on &&
+          (jumps_ || (is_at_joint && (other.depends_on_curvature || limit.depends_on_curvature)));
     }
     span.stops = stops_;
     jumps_ = false;

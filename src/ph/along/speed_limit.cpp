@@ -12,6 +12,7 @@
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
 #include "phrame/ph/curve/curve_series.hpp"
+#include "phrame/ph/curve/exact_vector.hpp"
 #include "phrame/ph/curve/formula_evaluation.hpp"
 #include "phrame/ph/curve/formula_program.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -266,6 +267,19 @@ void SpeedLimits::require_regular(std::size_t segment) const {
   throw DomainError(fmt::format(
       "feedrate: the curve has a cusp at {}, where only a constant is a limit of the speed",
       place_text("t", affine(found.front().at, 1, Rational(static_cast<long>(segment))))));
+}
+
+bool SpeedLimits::curvature_goes_on(std::size_t segment) const {
+  const auto& segments = state_->path.segments();
+  const auto* before = std::get_if<ExpressionCurve>(&segments[segment - 1]);
+  const auto* behind = std::get_if<ExpressionCurve>(&segments[segment]);
+  if (before == nullptr || behind == nullptr) return false;
+  FormulaProgram program;
+  for (const std::size_t order : {1, 2})
+    if (exact_derivative(*before, order, 1, program) !=
+        exact_derivative(*behind, order, 0, program))
+      return false;
+  return true;
 }
 
 SeriesFunction SpeedLimits::speed(const SpeedLimit& limit, std::size_t segment) const {

@@ -48,6 +48,10 @@ class SpeedLimits {
   /// Throws DomainError where the segment has a cusp: at that s(t) is not analytic.
   void require_regular(std::size_t segment) const;
 
+  /// Does the form of formulas on both sides show that the curvature is the same before and behind
+  /// the joint at which the segment starts?
+  bool curvature_goes_on(std::size_t segment) const;
+
   /// v; of Kind::normal it is analytic where κ ≠ 0.
   SeriesFunction speed(const SpeedLimit& limit, std::size_t segment) const;
   /// ds/dt over v.

@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/feedrate.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -243,6 +244,19 @@ TEST_CASE(
   CHECK(rounded(TravelTime(test::by_positions(PhPath(curve)), of).total()) == expected);
   CHECK(rounded(TravelTime(Path(test::cut(curve, {Rational(2, 5)})), feed("min(2, 3)", 1, 2))
                     .total()) == rounded(TravelTime(Path(curve), feed("2", 1, 2)).total()));
+}
+
+// The normal limit is the least where the parts meet, and irrational there.
+TEST_CASE("speed profile: formulas in parts take the time of the whole") {
+  const auto part = [](const char* from, const char* to) {
+    const auto read = [](const char* text) { return parse_formula(text, "p").value; };
+    return ExpressionCurve({read("cos(p)"), read("sin(p)"), read("p^2/3")}, read(from), read(to),
+                           "p");
+  };
+  const Feedrate of = feed("2", Rational(1, 2), 1);
+  const Path whole(part("0", "2"));
+  CHECK(rounded(TravelTime(whole, of).total()) ==
+        rounded(TravelTime(joined({part("0", "1"), part("1", "2")}), of).total()));
 }
 
 }  // namespace speed_profile_test
