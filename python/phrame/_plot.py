@@ -151,7 +151,7 @@ def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *,
     _require_axes(ax, "plot")
     if distance is None:
         raise TypeError("distance: a number or a list of numbers is wanted, not NoneType")
-    if isinstance(distance, (int, Fraction)) and abs(distance) > sys.float_info.max:
+    if isinstance(distance, (int, Fraction)) and abs(Fraction(distance)) > Fraction(sys.float_info.max):
         reason = "it is too large to be drawn"
         raise InputError(f"distance: {reason}", "distance", reason, distance)
     report = ask("offset", self, distance=distance, join=join, trim=trim)
