@@ -60,7 +60,7 @@ void construct_rrmf_quintics(State& state) {
     const Rational t(2 * k, state.range(0));
     data.points.push_back({t, t * t + t * t * t / 5, t * t * t / 3});
     data.derivatives.push_back({1, 2 * t + 3 * t * t / 5, t * t});
-    data.parameters.push_back(k);
+    data.parameters.emplace_back(k);
   }
   const Rational tolerance = power_of_ten(-15);
   for (auto _ : state) benchmark::DoNotOptimize(rrmf_spline(data, {tolerance, tolerance}));

@@ -48,7 +48,7 @@ void spline_angle(State& state) {
   for (auto _ : state) {
     PhPath path(pieces.front());
     for (std::size_t k = 1; k < pieces.size(); ++k) path.append(pieces[k]);
-    PathAngle angle(std::move(path));
+    PathAngle angle(path);
     benchmark::DoNotOptimize(round_to_decimal(angle.value(n), 17));
   }
 }

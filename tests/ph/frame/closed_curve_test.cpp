@@ -1,6 +1,7 @@
 #include "phrame/ph/frame/closed_curve.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
@@ -168,6 +169,16 @@ TEST_CASE("closed curve: the writhe of a polygon is the sum of its pairs of edge
   const Path polygon = test::polygon(points);
   check_law_of_projections(polygon);
   CHECK(to_string(writhe(polygon).enclose(120), 25) == "-2.579487301278534528871646");
+
+  // 24 points of a trefoil, with six decimals; by the same sum.
+  std::vector<Vector<Rational>> knot;
+  const auto decimals = [](double x) { return Rational(std::lround(1e6 * x), 1'000'000); };
+  for (int k = 0; k <= 24; ++k) {
+    const double s = 2 * std::numbers::pi * (k % 24) / 24;
+    knot.push_back({decimals(std::sin(s) + 2 * std::sin(2 * s)),
+                    decimals(std::cos(s) - 2 * std::cos(2 * s)), decimals(-std::sin(3 * s))});
+  }
+  CHECK(to_string(writhe(test::polygon(knot)).enclose(120), 25) == "-3.355716345022324194505485");
 }
 
 TEST_CASE("closed curve: a copy of a polygon in a mirror has the opposite writhe and holonomy") {

@@ -249,7 +249,7 @@ std::vector<GivenFrame> off_by(Error error) {
 }
 
 FrameVerdict checked(const std::vector<GivenFrame>& frames, const char* tolerance,
-                     std::optional<Rational> start = std::nullopt) {
+                     const std::optional<Rational>& start = std::nullopt) {
   return check(frames, {start, decimal(tolerance)});
 }
 

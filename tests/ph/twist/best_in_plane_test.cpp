@@ -53,7 +53,7 @@ TEST_CASE("best in plane: the least J, and all critical points") {
   for_samples(15, [](Random& random) {
     const auto polynomial = [&random](long degree) {
       std::vector<Rational> c;
-      for (long k = 0; k <= degree; ++k) c.push_back(random.integer(-9, 9));
+      for (long k = 0; k <= degree; ++k) c.emplace_back(random.integer(-9, 9));
       c[0] = random.integer(1, 9);
       return Polynomial(c);
     };

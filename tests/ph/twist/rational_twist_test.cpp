@@ -172,7 +172,7 @@ TEST_CASE("rational twist: the mean square where gamma is given") {
     });
     const bool is_flipped = !difference.enclose(bits).overlaps(piece.turn.enclose(bits));
     for (const auto& item : farouki_moon()[name]["rel_rms_eq36_at_gamma"].items()) {
-      const std::string text = item.key();
+      const std::string& text = item.key();
       CAPTURE(text);
       const Rational gamma = parse_rational(text) * (is_flipped ? -1 : 1);
       const RationalTwist twist = twist_with_end_factor(piece, gamma);
@@ -541,7 +541,7 @@ TEST_CASE("rational twist: the error goes to 0 under subdivision") {
   std::vector<double> errors;
   for (long count = 2; count <= 16; count *= 2) {
     Subdivision even;
-    for (long k = 1; k < count; ++k) even.at.push_back(Rational(k, count));
+    for (long k = 1; k < count; ++k) even.at.emplace_back(k, count);
     const TwistFrame frame = twist_frame(framed.mtf, {2, EndRates::matched, false, 60}, even);
     errors.push_back(round_to_double(root_mean_square(frame)));
   }

@@ -46,7 +46,7 @@ TEST_CASE("rotation family: law: orientations and rates at the ends are those of
     const RotationFamily family = rotation_family(piece, degree, rates, bits);
     std::vector<Rational> parameters;
     for (std::size_t k = 0; k < family.parameters(); ++k)
-      parameters.push_back(Rational(random.integer(-30, 30), 10));
+      parameters.emplace_back(random.integer(-30, 30), 10);
     const Rotation w = member(family, parameters, bits);
     CHECK(value(w, 0).re().contains(1));
     CHECK(value(w, 0).im().contains_zero());

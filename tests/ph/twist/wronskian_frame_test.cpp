@@ -20,7 +20,7 @@ using Bernstein = std::vector<std::vector<long>>;
 Curve curve_by(const Bernstein& quaternions) {
   const auto component = [&](std::size_t k) {
     std::vector<Rational> b;
-    for (const auto& q : quaternions) b.push_back(q[k]);
+    for (const auto& q : quaternions) b.emplace_back(q[k]);
     return from_bernstein(b);
   };
   return Curve({component(0), component(1), component(2), component(3)});

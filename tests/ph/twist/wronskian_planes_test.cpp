@@ -69,7 +69,7 @@ TEST_CASE("wronskian planes: the resolvent of the paper's quintic") {
 TEST_CASE("wronskian planes: all coefficients but the highest are right for every parameter") {
   for_samples(20, [](Random& random) {
     std::vector<Rational> c;
-    for (int k = 0; k < 7; ++k) c.push_back(random.integer(-9, 9));
+    for (int k = 0; k < 7; ++k) c.emplace_back(random.integer(-9, 9));
     c[0] = random.integer(1, 9);
     const Polynomial n(c);
     const WronskianPlanes planes = wronskian_planes(n, 4);
@@ -87,7 +87,7 @@ TEST_CASE("wronskian planes: that of two polynomials is found, also where N(0) =
   for_samples(20, [](Random& random) {
     const auto quartic = [&random](bool is_zero_at_0) {
       std::vector<Rational> c;
-      for (int k = 0; k < 5; ++k) c.push_back(random.integer(-5, 5));
+      for (int k = 0; k < 5; ++k) c.emplace_back(random.integer(-5, 5));
       if (is_zero_at_0) c[0] = c[1] = 0;
       return Polynomial(c);
     };
