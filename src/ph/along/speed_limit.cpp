@@ -275,7 +275,7 @@ bool SpeedLimits::curvature_goes_on(std::size_t segment) const {
   const auto* behind = std::get_if<ExpressionCurve>(&segments[segment]);
   if (before == nullptr || behind == nullptr) return false;
   FormulaProgram program;
-  for (const std::size_t order : {1, 2})
+  for (std::size_t order = 1; order <= 2; ++order)
     if (exact_derivative(*before, order, 1, program) !=
         exact_derivative(*behind, order, 0, program))
       return false;
