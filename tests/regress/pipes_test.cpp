@@ -77,7 +77,7 @@ Path pipe(Random& random, const std::vector<Leg>& legs, bool is_closed) {
     const Leg& next = legs[(k + 1) % n];
     const Vector<Rational> corner = end + cut[k] * legs[k].direction;
     at = corner + cut[k] * next.direction;
-    segments.push_back(
+    segments.emplace_back(
         bezier_curve({end, corner, at}, {1, 1, 2 / (1 + dot(legs[k].direction, next.direction))}));
   }
   return joined(std::move(segments));
