@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "phrame/ph/curve/vector.hpp"
+
 namespace phrame::inline v0 {
 namespace {
 
