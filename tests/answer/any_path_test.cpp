@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/answer/angle.hpp"
 #include "phrame/answer/info.hpp"
 #include "phrame/answer/totals.hpp"
 #include "phrame/io/write/answers.hpp"

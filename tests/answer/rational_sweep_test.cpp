@@ -74,7 +74,7 @@ TEST_CASE("rational sweep: lines and arcs have exact surfaces, wherever fraction
     if (patch.side > 0) continue;  // from (1, 1) to (-1, 1): f2 = z, f3 = e1 x f2 from the axis
     CHECK(patch.points.front().size() == 2);
     for (const Rational& s : {Rational(0), Rational(1, 3), Rational(1)}) {
-      const Vector<Rational> at = point(patch, Rational(1, 4), s);
+      const Vector<Rational> at = test::point(patch, Rational(1, 4), s);
       const Rational scale = 1 + patch.from + s * (patch.to - patch.from);
       CHECK(at[2] == 1 + scale / 2);
       const Rational out = 2 + scale;

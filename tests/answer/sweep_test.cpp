@@ -7,6 +7,7 @@
 #include "io/reference.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"

@@ -7,7 +7,6 @@
 
 using namespace phrame;
 using namespace phrame::test;
-using Json = nlohmann::json;
 
 namespace {
 

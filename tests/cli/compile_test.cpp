@@ -18,6 +18,7 @@
 using namespace phrame;
 using test::check_failure;
 using test::check_success;
+using test::contains;
 using test::Run;
 using test::Workshop;
 

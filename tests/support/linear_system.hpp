@@ -8,7 +8,7 @@
 #include "phrame/integrate/hermite.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 
-namespace phrame::test {
+namespace phrame::inline v0::test {
 
 /// The only x with Σ x_k·columns[k] = right side; no value where there is none or another one, too.
 inline std::optional<std::vector<Rational>> solved(std::vector<Polynomial> columns,

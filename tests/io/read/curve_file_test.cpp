@@ -8,6 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"

@@ -1,5 +1,7 @@
 #include "phrame/ph/along/parametrization.hpp"
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"

@@ -18,6 +18,7 @@
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/frame/frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "support/curves.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
@@ -384,11 +385,11 @@ TEST_CASE("path angle: an up vector along the tangent is refused, with the place
 
 TEST_CASE("path angle: a path that is cut turns as the whole") {
   // (t, t², t³) on [0, 1] and [1, 2].
-  const Polynomial x{0, 1};
+  const Polynomial sooner{0, 1};
   const Polynomial later{1, 1};
   const auto cubic = [](const Polynomial& t) { return RationalCurve({t, t * t, t * t * t}); };
-  const Path cut = joined({cubic(x), cubic(later)});
-  const Path whole(cubic(Rational(2) * x));
+  const Path cut = joined({cubic(sooner), cubic(later)});
+  const Path whole(cubic(Rational(2) * sooner));
   const Vector<Rational> up{1, 1, 5};
   const RealBall a = PathAngle(cut, up).enclose({1, Rational(1, 2)}, 150);
   const RealBall b = PathAngle(whole, up).enclose({0, Rational(3, 4)}, 150);
@@ -425,10 +426,10 @@ TEST_CASE("path angle: to the Frenet frame of a spline, where that is continuous
 }
 
 TEST_CASE("path angle: next to a cusp, |H| ≥ 1e-12, two up vectors give the same frame") {
-  // r′ = (x, x², 1e-12), x = t − 1/3.
-  const Polynomial x{Rational(-1, 3), 1};
+  // r′ = (w, w², 1e-12), w = t − 1/3.
+  const Polynomial w{Rational(-1, 3), 1};
   const Path path(
-      RationalCurve({antiderivative(x), antiderivative(x * x), Polynomial{0, power_of_ten(-12)}}));
+      RationalCurve({antiderivative(w), antiderivative(w * w), Polynomial{0, power_of_ten(-12)}}));
   const PathAngle one(path, {1, 2, 2});
   const PathAngle other(path, {-3, 4, 7});
   const StartNormal normal({0, 1, 1});

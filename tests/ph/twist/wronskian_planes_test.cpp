@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/twist/best_in_plane.hpp"
 #include "support/random.hpp"
 
 namespace wronskian_planes_test {
