@@ -224,8 +224,8 @@ def shown(seconds):
 
 
 def growth(program):
-    """The second table: seconds at sizes n, without the start, and the exponent of each step; marked where it is more than 3, or by
-    more than 1 greater than that of the step before.
+    """The second table: seconds at sizes n, without the start, and the exponent of each step from 2 ms on; marked where it is more
+    than 3.5, or by more than 1 greater than that of the step before.
     """
     random_points = {n: program.file(f"p{n}.csv", points(n)) for n in (1000, 4000, 16000)}
 
@@ -237,10 +237,10 @@ def growth(program):
         ("random curves, m", (20, 40, 80, 160), angles("r", random_curve)),
         ("symmetric, m", (20, 40, 80, 160), angles("s", symmetric)),
         ("m = 2 composed with T_k, k", (5, 10, 20), angles("t", lambda k: composed(peers.preimage(2), chebyshev(k)))),
-        ("poles in clusters of k, k", (5, 10, 20), angles("c", clustered)),
+        ("poles in clusters of k, k", (10, 20, 40), angles("c", clustered)),
         ("near-cusps 10^−k, k", (30, 100, 300, 1000), angles("n", near_cusp)),
         ("coefficients of k digits, k", (30, 100, 300, 1000), angles("l", long_numbers)),
-        ("f = T_k of Chebyshev, k", (10, 20, 40), angles("f", lambda k: curve(peers.preimage(5), multiplier=chebyshev(k)))),
+        ("f = T_k of Chebyshev, k", (20, 40, 80), angles("f", lambda k: curve(peers.preimage(5), multiplier=chebyshev(k)))),
         ("digits of a quintic's angle", (1000, 4000, 16000), lambda n: ("angle", quintic, "--at", 1, "--digits", n)),
         ("rows of `frames`", (100_001, 400_001, 1_600_001), lambda n: ("frames", quintic, "--samples", n)),
         ("points of a C² spline, `angle`", (1000, 4000, 16000), lambda n: ("angle", random_points[n], "--at", 1)),
@@ -250,10 +250,10 @@ def growth(program):
     marked = 0
     for what, sizes, call in families:
         times = [max(program.seconds(*call(n)) - program.start, 1e-4) for n in sizes]
-        steps = [math.log(b / a) / math.log(n / m) for a, b, m, n in zip(times, times[1:], sizes, sizes[1:])]
-        steep = [s > 3 or (k > 0 and s > steps[k - 1] + 1) for k, s in enumerate(steps)]
+        steps = [math.log(b / a) / math.log(n / m) if a >= 0.002 else None for a, b, m, n in zip(times, times[1:], sizes, sizes[1:])]
+        steep = [s is not None and (s > 3.5 or (k > 0 and s > (steps[k - 1] or 2.5) + 1)) for k, s in enumerate(steps)]
         marked += sum(steep)
-        exponents = ", ".join(f"**{s:.1f}**" if bad else f"{s:.1f}" for s, bad in zip(steps, steep))
+        exponents = ", ".join("–" if s is None else f"**{s:.1f}**" if bad else f"{s:.1f}" for s, bad in zip(steps, steep))
         print(f"| {what} | {', '.join(map(str, sizes))} | {', '.join(map(shown, times))} | {exponents} |", flush=True)
     return marked
 
