@@ -159,29 +159,34 @@ struct SeriesIntegral::State {
   Rational lower;
   Rational upper;
   std::mutex lock{};
-  std::map<long, std::vector<Part>> found{};  ///< by bits
+  std::map<long, std::vector<Part>> known{};  ///< by bits: those of more take longer to evaluate
 
   State(SeriesFunction of, Rational from, Rational to)
       : f(std::move(of)), lower(std::move(from)), upper(std::move(to)) {}
 
   const std::vector<Part>& with(long bits);
+  std::vector<Part> find_parts(long bits) const;
   bool add(std::vector<Part>& parts, const Rational& from, const Rational& to, long bits) const;
 };
 
 const std::vector<SeriesIntegral::Part>& SeriesIntegral::State::with(long bits) {
-  const std::lock_guard locked(lock);
   long enough = 192;  // what rounding to doubles asks for, of all that is
   while (enough < bits) enough *= 2;
-  std::vector<Part>& parts = found[enough];
-  if (!parts.empty()) return parts;
+  const std::lock_guard locked(lock);
+  const auto at = known.find(enough);
+  return at != known.end() ? at->second : known.emplace(enough, find_parts(enough)).first->second;
+}
+
+std::vector<SeriesIntegral::Part> SeriesIntegral::State::find_parts(long bits) const {
+  std::vector<Part> found;
   Rational step = upper - lower;
   for (Rational at = lower; at < upper;) {
     step = std::min(step, Rational(upper - at));
-    while (!add(parts, at, at + step, enough)) step /= 2;
+    while (!add(found, at, at + step, bits)) step /= 2;
     at += step;
     step = step * Rational(3, 2);
   }
-  return parts;
+  return found;
 }
 
 /// The next part, where it is not too long.
