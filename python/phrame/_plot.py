@@ -134,13 +134,17 @@ def _outline(path: Any) -> Any:
 
 def _value(x: Any) -> float:
     """Of a number in an answer: a fraction as text, or an enclosure."""
-    return float(x["value"]) if isinstance(x, dict) else float(Fraction(x))
+    return float(x["value"] if isinstance(x, dict) else _EXACTLY(x))
+
+
+def _point(numbers: Any) -> Any:
+    return [_value(x) for x in numbers]
 
 
 def _cut_points(branch: Any) -> Any:
     """Where parts of a trimmed offset end but not at a joint of the path."""
     ends = [part[side] for part in branch["parts"] for side in ("from", "to")]
-    return [end["point"] for end in ends if isinstance(end["t"], dict) or "/" in end["t"]]
+    return [_point(end["point"]) for end in ends if isinstance(end["t"], dict) or "/" in end["t"]]
 
 
 def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *, ax: Any = None, **style: Any) -> Any:
@@ -174,13 +178,12 @@ def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *,
         d = _value(found["distance"])
         marks = {
             "o": [(a + d * t[1], b - d * t[0]) for a, b, t in zip(x, y, e1)],
-            "x": [place["point"] for place in found.get("self_intersections", {}).get("places", [])],
+            "x": [_point(place["point"]) for place in found.get("self_intersections", {}).get("places", [])],
             "s": [point for branch in branches if "parts" in branch for point in _cut_points(branch)],
         }
         for marker, points in marks.items():
             if points:
-                xy = [[v if isinstance(v, float) else _value(v) for v in p] for p in points]
-                ax.plot(*np.transpose(xy), marker, color=drawn.get("color"), fillstyle="none", markersize=5)
+                ax.plot(*np.transpose(points), marker, color=drawn.get("color"), fillstyle="none", markersize=5)
     return ax
 
 

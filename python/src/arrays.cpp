@@ -194,9 +194,7 @@ auto tabulated(const std::vector<std::size_t>& shape, const Write& write) {
                      progress,
                      product(shape),
                      roll_of(roll, self.named.path.segments().size())};
-    if (!asked.roll.is_zero() &&
-        (asked.kind == TabulatedFrame::euler_rodrigues || asked.kind == TabulatedFrame::frenet ||
-         asked.kind == TabulatedFrame::signed_frenet))
+    if (!asked.roll.is_zero() && asked.kind && is_of_curve(*asked.kind))
       refuse("roll", "it is of the kinds rmf, up and mtf", roll);
     return array_of(self, asked, shape, write);
   };

@@ -163,6 +163,21 @@ Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, do
   });
 }
 
+Real zero_between(const Rational& lower, const Rational& upper, const IncreasingFunction& F) {
+  const Rational width = upper - lower;
+  const auto place = [lower, width](const RealBall& u, long bits) {
+    return add_product(RealBall(lower, bits), RealBall(width, bits), u, bits);
+  };
+  const auto of_u = std::make_shared<const IncreasingFunction>(IncreasingFunction{
+      [value = F.value, place](const RealBall& u, long bits) {
+        return value(place(u, bits), bits);
+      },
+      [slope = F.slope, place, width](const RealBall& u, long bits) {
+        return multiply(RealBall(width, bits), slope(place(u, bits), bits), bits);
+      }});
+  return cached(Real(lower) + Real(width) * preimage(of_u, 0, guess_preimage(*of_u, 0)));
+}
+
 Real recognized(const Real& t, const std::function<bool(const Rational&)>& is_t) {
   const RealBall around = t.enclose(72);
   const Rational r = simplest_between(around.lower(), around.upper());

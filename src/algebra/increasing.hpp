@@ -33,6 +33,10 @@ RealBall narrow_preimage(const IncreasingFunction& F, const Rational& y, RealBal
 /// so that neither it nor a copy is for concurrent use.
 Real preimage(std::shared_ptr<const IncreasingFunction> F, const Rational& y, double guess);
 
+/// The x ∈ [lower, upper] with F(x) = 0 of an F that is increasing there and a function of x, not
+/// of [0, 1]. Precondition: F(lower) ≤ 0 ≤ F(upper).
+Real zero_between(const Rational& lower, const Rational& upper, const IncreasingFunction& F);
+
 /// t ∈ [0, 1], exact where it is next to a fraction with a denominator of up to 32 bits for which
 /// is_t() is true.
 Real recognized(const Real& t, const std::function<bool(const Rational& r)>& is_t);

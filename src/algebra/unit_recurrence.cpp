@@ -15,19 +15,24 @@ FixedCoefficients<Number>::FixedCoefficients(const IntegerPolynomial& p, const I
                                              long most_bits)
     : now_(static_cast<std::size_t>(fmpz_poly_length(p.get()))),
       divisor_(divisor.sign() < 0 ? -divisor : divisor),
-      full_bits_(most_bits) {
+      most_bits_(most_bits) {
   for (std::size_t k = 0; k < now_.size(); ++k) {
     Integer c(p.get()->coeffs + k);
     if (divisor.sign() < 0) c = -c;
-    if constexpr (std::same_as<Number, Integer>) exact_.push_back(c);
-    fmpz_mul_2exp(c.raw(), c.raw(), static_cast<ulong>(full_bits_));
-    fmpz_fdiv_q(c.raw(), c.raw(), divisor_.raw());
     if constexpr (std::same_as<Number, Integer>)
-      full_.push_back(std::move(c));
+      exact_.push_back(std::move(c));
     else
-      now_[k] = from_integer<Number>(c);
+      now_[k] = from_integer<Number>(quotient(std::move(c), most_bits));
   }
-  if constexpr (!std::same_as<Number, Integer>) bits_ = full_bits_;
+  if constexpr (!std::same_as<Number, Integer>) bits_ = most_bits;
+}
+
+/// ⌊c·2^bits/divisor⌋.
+template <class Number>
+Integer FixedCoefficients<Number>::quotient(Integer c, long bits) const {
+  fmpz_mul_2exp(c.raw(), c.raw(), static_cast<ulong>(bits));
+  fmpz_fdiv_q(c.raw(), c.raw(), divisor_.raw());
+  return c;
 }
 
 template <class Number>
@@ -35,16 +40,14 @@ void FixedCoefficients<Number>::choose(long needed) {
   if constexpr (std::same_as<Number, Integer>) {
     if (bits_ != 0 && needed <= bits_ && (needed > bits_ - 48 || bits_ <= 32)) return;
     const long before = bits_;
-    bits_ = std::min(full_bits_, std::max(needed, 16L) + 16);
+    bits_ = std::min(most_bits_, std::max(needed, 16L) + 16);
     if (bits_ == before) return;
     // To divide by the divisor takes about as long as a product with it.
+    const bool were_exact = are_exact_;
     are_exact_ = 2 * bit_length(divisor_) <= bits_;
-    if (are_exact_) {
-      now_ = exact_;
-    } else {
-      for (std::size_t k = 0; k < full_.size(); ++k)
-        now_[k] = full_[k] >> static_cast<unsigned long>(full_bits_ - bits_);
-    }
+    if (are_exact_ && were_exact) return;
+    for (std::size_t k = 0; k < exact_.size(); ++k)
+      now_[k] = are_exact_ ? exact_[k] : quotient(exact_[k], bits_);
   }
 }
 

@@ -29,11 +29,12 @@ class FixedCoefficients {
   Number share(const ProductSum<Number>& sum, std::size_t n = 1) const;
 
  private:
-  std::vector<Integer> exact_;
-  std::vector<Integer> full_;
+  Integer quotient(Integer c, long bits) const;
+
+  std::vector<Integer> exact_;  ///< pₖ, but for TwoWords
   std::vector<Number> now_;
   Integer divisor_;
-  long full_bits_;
+  long most_bits_;
   long bits_ = 0;  ///< 0 before the first choice
   bool are_exact_ = false;
 };

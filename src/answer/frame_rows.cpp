@@ -190,12 +190,9 @@ Frame<Real> FrameRows::State::rational_twist(const Place& at) {
   return turned(erf(at), value(columns_.mtf.at(twist.leg_at(at)), parameter(twist.on_leg(at))));
 }
 
-/// Those of Euler and Rodrigues and of Frenet are as they are.
 Frame<Real> FrameRows::State::frame(TabulatedFrame kind, const Place& at) {
   const Frame<Real> found = unrolled(kind, at);
-  const bool is_fixed = kind == TabulatedFrame::euler_rodrigues || kind == TabulatedFrame::frenet ||
-                        kind == TabulatedFrame::signed_frenet;
-  return columns_.roll.is_zero() || is_fixed ? found : turned(found, columns_.roll.at(at));
+  return columns_.roll.is_zero() || is_of_curve(kind) ? found : turned(found, columns_.roll.at(at));
 }
 
 Frame<Real> FrameRows::State::unrolled(TabulatedFrame kind, const Place& at) {

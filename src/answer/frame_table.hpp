@@ -20,6 +20,12 @@ enum class TabulatedFrame {
   signed_frenet,    ///< n, b continued through inflections, of SignedFrenet
 };
 
+/// Is it as the curve has it, whatever it starts with, so that no roll turns it?
+constexpr bool is_of_curve(TabulatedFrame kind) {
+  return kind == TabulatedFrame::euler_rodrigues || kind == TabulatedFrame::frenet ||
+         kind == TabulatedFrame::signed_frenet;
+}
+
 /// Numbers that it can hold as well.
 enum class TabulatedScalar {
   arc_length,   ///< s, from t = 0

@@ -31,7 +31,7 @@ OffsetAnswer::Measure measure(const Real& x, const std::string& name, long digit
 /// What is said of one offset of a path with that end.
 class OffsetReport {
  public:
-  OffsetReport(Rational end, const Offset& offset, long digits, bool is_euclidean = true)
+  OffsetReport(Rational end, const Offset& offset, long digits, bool is_euclidean)
       : end_(std::move(end)), offset_(offset), digits_(digits), is_euclidean_(is_euclidean) {}
 
   OffsetAnswer::Part make() {

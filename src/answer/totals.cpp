@@ -38,10 +38,9 @@ class Totals {
     const Decimal rounded = rounded_or_zero(value, name_of(quantity), answer_.digits);
     answer_.rows.push_back({.quantity = quantity, .value = rounded, .exact = value.exact()});
   }
-  /// What there is without straight lines and, along formulas, inflections; else the reason.
+  /// What find() returns; where it throws, the reason.
   template <class Find>
-  void add_frenet(Quantity quantity, const std::string& why_not, const Find& find) {
-    if (!why_not.empty()) return add_reason(quantity, why_not);
+  void add_found(Quantity quantity, const Find& find) {
     try {
       add(quantity, find());
     } catch (const DomainError& error) {
@@ -101,26 +100,6 @@ void add_holonomy(Totals& totals, const PathAngle& angle, const Real& length) {
   }
 }
 
-void add_linking(Totals& totals, const Path& path, const Path& other) {
-  try {
-    totals.add(Quantity::linking, Real(Rational(linking_number(path, other))));
-  } catch (const DomainError& error) {
-    totals.add_reason(Quantity::linking, error.what());
-  } catch (const Undecided& undecided) {
-    totals.add_reason(Quantity::linking, std::string("undecided: ") + undecided.what());
-  }
-}
-
-void add_helicity(Totals& totals, const Path& path, const Vector<Rational>& about) {
-  try {
-    totals.add(Quantity::helicity, Real(SignedFrenet(path).turns_about(about)));
-  } catch (const DomainError& error) {
-    totals.add_reason(Quantity::helicity, error.what());
-  } catch (const Undecided& undecided) {
-    totals.add_reason(Quantity::helicity, std::string("undecided: ") + undecided.what());
-  }
-}
-
 }  // namespace
 
 constexpr std::array quantity_names{"length",
@@ -161,11 +140,14 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
     totals.add(Quantity::erf_twist, erf_twist(*ph));
   else
     totals.add(Quantity::up_twist, reference_twist(angle));
-  totals.add_frenet(Quantity::torsion, no_torsion, [&] { return total_torsion(path); });
+  const auto add_frenet = [&](Quantity quantity, const auto& find) {
+    no_torsion.empty() ? totals.add_found(quantity, find) : totals.add_reason(quantity, no_torsion);
+  };
+  add_frenet(Quantity::torsion, [&] { return total_torsion(path); });
   totals.add(Quantity::curvature, curvature);
   add_absolute_rotation_index(totals, path, curvature);
   totals.add(Quantity::bending_energy, bending_energy(path));
-  totals.add_frenet(Quantity::frenet_energy, no_torsion, [&] { return frenet_energy(path); });
+  add_frenet(Quantity::frenet_energy, [&] { return frenet_energy(path); });
   add_rotation_index(totals, path);
   const Closure closed = closure(path);
   if (!closed.is_closed)
@@ -176,8 +158,12 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
     add_holonomy(totals, angle, length.value);
     for (Row& row : writhe_rows(path, query.digits)) answer.rows.push_back(std::move(row));
   }
-  if (query.other) add_linking(totals, path, query.other->path);
-  if (query.helicity_about) add_helicity(totals, path, *query.helicity_about);
+  if (query.other)
+    totals.add_found(Quantity::linking,
+                     [&] { return Real(Rational(linking_number(path, query.other->path))); });
+  if (query.helicity_about)
+    totals.add_found(Quantity::helicity,
+                     [&] { return Real(SignedFrenet(path).turns_about(*query.helicity_about)); });
   return answer;
 }
 

@@ -88,7 +88,6 @@ void add_interpolate(Program& program) {
   command.only_with({"--tool", "--places", "--start", "--theta0", "--start-normal"},
                     {"--format gcode"});
   command.only_with({"--up"}, {"--start up"});
-  command.only_with({"--start-speed", "--end-speed"}, {"--max-tangential-acceleration"});
   command.set_notes(
       "The columns are k, time, t, s, x, y, z: the parameter t with the integral of |r'|/V from 0\n"
       "to t equal to the time k*PERIOD, the arc length s and the point there; the last row is the\n"

@@ -140,7 +140,9 @@ Field distance_field(const Rational& d) {
   return {"distance", "distance $d$", {Value::Words(words), [&] { return json_of(d); }}};
 }
 
-Fields fields(const Part& part, bool is_euclidean = true) {
+/// Stretches are of Euclidean offsets.
+Fields fields(const Part& part) {
+  const bool is_euclidean = !part.stretches.empty();
   Fields fields{distance_field(part.distance),
                 {"paths", "exact", paths_value(part.paths)},
                 {"cusps", is_euclidean ? "cusp, $1 + dκ = 0$" : "cusp", cusps_value(part)},
@@ -286,20 +288,14 @@ std::string to_text(const OffsetAnswer& answer) {
   const auto ph = answer.path.path.with_preimages();
   const std::string signs = ph ? notes_on_signs(*ph) : "";
   if (!signs.empty()) text += "\n" + signs.substr(0, signs.size() - 1);
-  for (const Part& part : answer.offsets)
-    text += "\n" + to_rows(fields(part, !answer.gauge), width);
+  for (const auto& part : answer.offsets) text += "\n" + to_rows(fields(part), width);
   for (const auto& part : answer.trimmed) text += "\n" + to_rows(fields(part), width);
   for (const auto& part : answer.both) text += "\n" + to_rows(fields(part), width);
   return text;
 }
 
 std::string to_json(const OffsetAnswer& answer) {
-  const auto offset = [&](const auto& part) {
-    if constexpr (std::is_same_v<decltype(part), const Part&>)
-      return json_of(fields(part, !answer.gauge));
-    else
-      return json_of(fields(part));
-  };
+  const auto offset = [](const auto& part) { return json_of(fields(part)); };
   JsonOutput json = {{"phrame", "offset/1"},
                      {"name", answer.path.name},
                      {"closed", answer.is_closed},
@@ -318,7 +314,7 @@ std::string to_json(const OffsetAnswer& answer) {
 std::string to_latex(const OffsetAnswer& answer) {
   std::string text;
   if (answer.gauge) text += to_align(gauge_fields(answer));
-  for (const Part& part : answer.offsets) text += to_align(fields(part, !answer.gauge));
+  for (const auto& part : answer.offsets) text += to_align(fields(part));
   for (const auto& part : answer.trimmed) text += to_align(fields(part));
   for (const auto& part : answer.both) text += to_align(fields(part));
   return text;

@@ -8,6 +8,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/partial_sums.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/recent.hpp"
 #include "phrame/algebra/shared.hpp"
@@ -92,8 +93,7 @@ struct PHRAME_INSIDE PathAngle::State {
 
   // Each is locked while it grows. Joints ask for sums, and sums for the angles of segments, never
   // the other way.
-  std::mutex sums_lock;
-  std::map<long, std::vector<RealBall>> sums{};  ///< θ(0), θ(1), … by precision
+  PartialSums sums{};  ///< θ(0), θ(1), …
   std::mutex rational_sums_lock;
   std::vector<RealBall> rational_sums{RealBall()};  ///< the parts of these without logarithms
   std::mutex joints_lock;
@@ -225,19 +225,12 @@ void PathAngle::set_route(Route route) { state_ = std::make_shared<State>(*state
 RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
   // Few precisions are kept.
   const long enough = bits <= first_bits_of_sums ? first_bits_of_sums : (bits + 31) / 32 * 32;
-  const long more = enough + 32;  // for sums of many terms
-  const std::lock_guard lock(sums_lock);
-  std::vector<RealBall>& known = sums[enough];
-  known.reserve(path.segments().size() + 1);
-  if (known.empty()) known.emplace_back();
-  while (known.size() <= segment) {
-    const std::size_t k = known.size();
-    RealBall sum = add(known.back(), enclose_on(k - 1, Rational(1), enough), more);
-    if (const auto turn = corner_turns.find(k); turn != corner_turns.end())
-      sum = add(sum, turn->second.enclose(enough), more);
-    known.push_back(std::move(sum));
-  }
-  return known[segment];
+  return sums.before(segment, enough, [&](std::size_t k, long wanted) {
+    const RealBall along = enclose_on(k, Rational(1), wanted);
+    const auto turn = corner_turns.find(k + 1);
+    return turn == corner_turns.end() ? along
+                                      : add(along, turn->second.enclose(wanted), wanted + 32);
+  });
 }
 
 RealBall PathAngle::State::enclose(const Place& at, long bits) {

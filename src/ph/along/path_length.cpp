@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
+#include "phrame/algebra/partial_sums.hpp"
 #include "phrame/algebra/recent.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/curve/special_points.hpp"
@@ -50,10 +50,9 @@ struct PHRAME_INSIDE PathLength::State {
 
   Path path;
   Recent<SegmentLength> lengths{most_kept_integrals};  ///< of the segments
+  PartialSums sums{};                                  ///< lengths up to segments
   std::mutex lock;
-  /// Lengths up to the first segments, as far as they are sums of square roots.
-  std::vector<Surd> exact{Surd()};
-  std::map<long, std::vector<RealBall>> sums{};  ///< these lengths, by precision
+  std::vector<Surd> exact{Surd()};  ///< the first of these, as far as they are sums of square roots
 
   explicit State(const Path& along) : path(along) {}
 
@@ -69,15 +68,9 @@ struct PHRAME_INSIDE PathLength::State {
 
 /// The length up to segment k.
 RealBall PathLength::State::sum_before(std::size_t k, long bits) {
-  const long enough = (bits + 22) / 16 * 16;  // few precisions are kept
-  const std::lock_guard locked(lock);
-  std::vector<RealBall>& known = sums[enough];
-  if (known.empty()) known.emplace_back();
-  while (known.size() <= k) {
-    const RealBall next = length(known.size() - 1)->value(Rational(1)).enclose(enough);
-    known.push_back(add(known.back(), next, enough));
-  }
-  return known[k];
+  return sums.before(k, (bits + 22) / 16 * 16, [&](std::size_t n, long enough) {
+    return length(n)->value(Rational(1)).enclose(enough);
+  });
 }
 
 PathLength::PathLength(const Path& path) : state_(std::make_shared<State>(path)) {}

@@ -40,20 +40,14 @@ std::optional<int> known_sign(const SeriesFunction& f, const Rational& t) {
 
 /// The zero of f on the part, on which it is monotone.
 Real zero_of(const SeriesFunction& f, const Rational& lower, const Rational& upper, int sign) {
-  const Rational width = upper - lower;
-  const auto place = [lower, width](const RealBall& u, long bits) {
-    return add_product(RealBall(lower, bits), RealBall(width, bits), u, bits);
+  const auto coefficient = [f, sign](const RealBall& t, long k, long bits) {
+    const RealBall c = f(t, k + 1, bits).coefficient(k);
+    return sign > 0 ? c : subtract({}, c, bits);
   };
-  const Rational slope = sign * width;
-  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
-      [f, place, sign](const RealBall& u, long bits) {
-        const RealBall value = f(place(u, bits), 1, bits).coefficient(0);
-        return sign > 0 ? value : subtract({}, value, bits);
-      },
-      [f, place, slope](const RealBall& u, long bits) {
-        return multiply(RealBall(slope, bits), f(place(u, bits), 2, bits).coefficient(1), bits);
-      }});
-  return cached(Real(lower) + Real(width) * preimage(F, 0, guess_preimage(*F, 0)));
+  return zero_between(
+      lower, upper,
+      {[coefficient](const RealBall& t, long bits) { return coefficient(t, 0, bits); },
+       [coefficient](const RealBall& t, long bits) { return coefficient(t, 1, bits); }});
 }
 
 class ZeroSearch {

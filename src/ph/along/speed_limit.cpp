@@ -34,14 +34,6 @@ BallPolynomial constant_polynomial(const RealBall& c) {
   return BallPolynomial(std::vector<RealBall>{c});
 }
 
-/// f(x), where its form shows a fraction.
-std::optional<Rational> rational_value(const Formula& f, const Rational& x) {
-  FormulaProgram program;
-  const auto id = program.insert(f, program.number(x));
-  const Rational* value = program.rational(id);
-  return value == nullptr ? std::nullopt : std::optional(*value);
-}
-
 }  // namespace
 
 int compare(const SquaredSpeed& a, const SquaredSpeed& b, const std::string& where) {
@@ -241,7 +233,7 @@ SpeedLimits::SpeedLimits(const PathLength& length, const Path& path, const Feedr
 SpeedLimit SpeedLimits::limit(const Feedrate::Function& function) const {
   if (!is_constant(function.speed))
     return {Kind::function, function, Rational(0), {}, function.of == Of::curvature};
-  if (const auto v = rational_value(function.speed, 0))
+  if (const auto v = rational_value(function.speed))
     return {Kind::constant, function, *v, *v * *v * *v * *v};
   return {Kind::constant, function,
           Real([f = function.speed](long bits) { return constant_value(f, bits + 8); })};

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/increasing.hpp"
+#include "phrame/algebra/partial_sums.hpp"
 #include "phrame/ph/along/segment_time.hpp"
 #include "phrame/ph/along/speed_span.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -44,20 +43,15 @@ void add_time(SpeedProfile::Piece& piece, const SpeedLimits& limits,
 
 }  // namespace
 
+/// Of durations.
 struct SpeedProfile::Sums {
   std::vector<Real> durations;
-  std::vector<Rational> exact{Rational(0)};  ///< times up to pieces, as far as they are
-  std::mutex lock{};
-  std::map<long, std::vector<RealBall>> sums{};  ///< of durations, by bits
+  std::vector<Rational> exact{Rational(0)};  ///< the first sums, as far as they are
+  PartialSums sums{};
 
   RealBall before(std::size_t k, long bits) {
-    const long enough = (bits + 22) / 16 * 16;
-    const std::lock_guard locked(lock);
-    std::vector<RealBall>& known = sums[enough];
-    if (known.empty()) known.emplace_back();
-    while (known.size() <= k)
-      known.push_back(add(known.back(), durations[known.size() - 1].enclose(enough), enough));
-    return known[k];
+    return sums.before(k, (bits + 22) / 16 * 16,
+                       [&](std::size_t n, long enough) { return durations[n].enclose(enough); });
   }
 };
 
@@ -140,23 +134,16 @@ std::pair<Place, Real> SpeedProfile::at_time(const Rational& time) const {
     return {place_at(s), s};
   }
   if (since.exact() == Rational(0)) return {Place(piece.segment, piece.t0), piece.s0};
-  const Rational from = below(piece.t0);
-  const Rational width = above(piece.t1) - from;
-  const auto place = [from, width](const RealBall& u, long bits) {
-    return add_product(RealBall(from, bits), RealBall(width, bits), u, bits);
-  };
   // F is 0 where the time has passed since t0.
   const Real passed = cached(Real([F = piece.integral, a = piece.t0, since](long bits) {
     return add(F->enclose(a.enclose(bits + 8), bits + 8), since.enclose(bits + 8), bits + 8);
   }));
-  const auto F = std::make_shared<const IncreasingFunction>(IncreasingFunction{
-      [G = piece.integral, place, passed](const RealBall& u, long bits) {
-        return subtract(G->enclose(place(u, bits), bits), passed.enclose(bits), bits);
-      },
-      [G = piece.integral, place, width](const RealBall& u, long bits) {
-        return multiply(RealBall(width, bits), G->rate(place(u, bits), bits), bits);
-      }});
-  const Real t = cached(Real(from) + Real(width) * preimage(F, 0, guess_preimage(*F, 0)));
+  const Real t = zero_between(
+      below(piece.t0), above(piece.t1),
+      {[F = piece.integral, passed](const RealBall& at, long bits) {
+         return subtract(F->enclose(at, bits), passed.enclose(bits), bits);
+       },
+       [F = piece.integral](const RealBall& at, long bits) { return F->rate(at, bits); }});
   const Place at(piece.segment, t);
   return {at, length_.value(at)};
 }

@@ -55,13 +55,7 @@ std::vector<Vector<double>> sampled_tangents(const Path& path) {
 
 /// The t of an s, where it is rational by its form.
 std::optional<Rational> rational_parameter(const ExpressionCurve& curve, const Formula& s) {
-  FormulaProgram program;
-  const auto none = program.number(0);
-  const auto a = program.insert(curve.from(), none);
-  const auto length = program.subtract(program.insert(curve.to(), none), a);
-  const auto t = program.divide(program.subtract(program.insert(s, none), a), length);
-  const Rational* value = program.rational(t);
-  return value == nullptr ? std::nullopt : std::optional(*value);
+  return rational_value((s - curve.from()) / (curve.to() - curve.from()));
 }
 
 /// Integer vectors in all directions, one of each pair of opposite ones, z first.

@@ -274,4 +274,10 @@ Formula derivative(const Formula& f) {
   return Formula({program.steps().begin(), program.steps().begin() + static_cast<long>(slope) + 1});
 }
 
+std::optional<Rational> rational_value(const Formula& f, const Rational& s) {
+  FormulaProgram program;
+  const Rational* value = program.rational(program.insert(f, program.number(s)));
+  return value == nullptr ? std::nullopt : std::optional(*value);
+}
+
 }  // namespace phrame

@@ -72,4 +72,7 @@ class FormulaProgram {
 /// df/ds.
 Formula derivative(const Formula& f);
 
+/// f(s), where its form shows a fraction.
+std::optional<Rational> rational_value(const Formula& f, const Rational& s = 0);
+
 }  // namespace phrame

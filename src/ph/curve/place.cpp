@@ -63,9 +63,7 @@ Vector<Real> values_of(const ExpressionCurve& curve, std::size_t order, const Re
 
 /// A constant, exact where its form shows a fraction.
 Real value_of(const Formula& f) {
-  FormulaProgram program;
-  const auto value = program.insert(f, program.number(0));
-  if (const Rational* x = program.rational(value)) return *x;
+  if (const auto x = rational_value(f)) return *x;
   return Real([f](long bits) { return constant_value(f, bits + 8); });
 }
 

@@ -98,13 +98,6 @@ RationalTurning turning_of(const RationalCurve& curve) {
 
 // ---- formulas
 
-std::optional<Rational> rational_value(const Formula& constant) {
-  FormulaProgram program;
-  const auto id = program.insert(constant, program.number(0));
-  const Rational* value = program.rational(id);
-  return value == nullptr ? std::nullopt : std::optional(*value);
-}
-
 /// f at the constant s.
 Real value_at(const Formula& f, const Formula& s) {
   FormulaProgram program;
