@@ -2,6 +2,7 @@
 // frames, certified and compiled.
 #include <benchmark/benchmark.h>
 
+#include "curves.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/io/read/formula.hpp"
 #include "phrame/ph/along/path_length.hpp"
@@ -14,22 +15,6 @@ namespace phrame::inline v0::bench {
 namespace {
 
 using State = benchmark::State;
-
-/// A Bézier curve of that degree, with control points of one digit.
-Path bezier_path(long degree) {
-  std::vector<Vector<Rational>> points;
-  unsigned long state = 2026;
-  const auto next = [&state] {
-    state = state * 6364136223846793005UL + 1442695040888963407UL;
-    return Rational(static_cast<long>(state >> 33U) % 19 - 9);
-  };
-  for (long k = 0; k <= degree; ++k) {
-    const Rational x = next();
-    const Rational y = next();
-    points.push_back({x, y, next()});
-  }
-  return Path(bezier_curve(points));
-}
 
 /// Of degree range(0), to range(1) digits.
 void any_path_angle(State& state) {

@@ -36,4 +36,16 @@ std::string random_curve_text(long m) {
 
 Curve random_curve(long m) { return read_curve(random_curve_text(m)).curve; }
 
+Path bezier_path(long degree) {
+  Random random(2026);
+  const auto next = [&random] { return Rational(random.coefficient()); };
+  std::vector<Vector<Rational>> points;
+  for (long k = 0; k <= degree; ++k) {
+    const Rational x = next();
+    const Rational y = next();
+    points.push_back({x, y, next()});
+  }
+  return Path(bezier_curve(points));
+}
+
 }  // namespace phrame::bench

@@ -11,4 +11,7 @@ std::string random_curve_text(long m);
 
 Curve random_curve(long m);
 
+/// A Bézier curve of that degree, with control points of one digit; no PH curve.
+Path bezier_path(long degree);
+
 }  // namespace phrame::bench

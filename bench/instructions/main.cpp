@@ -1,11 +1,13 @@
-// One stage, ten times after a warm-up, in a function of its own, for callgrind to count:
-//   phrame_instructions STAGE M
+// Each stage ten times after a warm-up, in a function of its own, for callgrind to count; names the
+// stages in their order:
+//   phrame_instructions M
+// Without M, what it was built by.
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../curves.hpp"
 #include "phrame/cli/batch_line.hpp"
@@ -14,7 +16,7 @@ namespace {
 
 using namespace phrame;
 
-constexpr int repetitions = 10;
+constexpr int repetitions = 4;
 
 }  // namespace
 
@@ -24,16 +26,20 @@ extern "C" [[gnu::noinline]] void counted(const std::function<void()>& stage) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  const long m = std::atol(argv[2]);
+  if (argc == 1) {
+    std::puts(PHRAME_BUILT_BY);
+    return 0;
+  }
+  const long m = std::atol(argv[1]);
   const std::string text = bench::random_curve_text(m);
   const Curve curve = bench::random_curve(m);
   RmfAngle angle(curve, Reference::euler_rodrigues);
   CompiledAngle compiled(angle, 0, 1);
   const CompiledFrames compiled_frames(curve, angle, 0, 1);
+  const Path any = bench::bezier_path(m + 1);
   long k = 0;
   const auto other = [&k] { return static_cast<double>(++k) / 1009; };
-  const std::map<std::string, std::function<void()>> stages{
+  const std::vector<std::pair<const char*, std::function<void()>>> stages{
       // From the text of a curve file to the checked antiderivative.
       {"symbolic",
        [&] { RmfAngle(read_curve(text).curve, Reference::euler_rodrigues).antiderivative(); }},
@@ -54,12 +60,20 @@ int main(int argc, char** argv) {
       // The same by what is compiled.
       {"compiled-value", [&] { compiled(other()); }},
       {"compiled-frame", [&] { compiled_frames(other()); }},
+      // All questions of a kind, witnesses checked.
+      {"classify", [&] { classify(curve); }},
+      // θ(1) to 17 digits of a curve of degree m + 1 by its control points, no PH curve.
+      {"any-curve",
+       [&] {
+         round_to_decimal(PathAngle(any).value({0, Rational(1)}), 17);
+       }},
       // A line of a batch, θ(1) to 17 digits.
       {"batch-line",
        [&] { cli::batch_answer(R"({"id": 1, "at": [1], "curve": )" + text + "}", {}); }},
   };
-  const auto stage = stages.find(argv[1]);
-  if (stage == stages.end()) return 2;
-  stage->second();
-  counted(stage->second);
+  for (const auto& [name, stage] : stages) {
+    stage();
+    counted(stage);
+    std::puts(name);
+  }
 }
