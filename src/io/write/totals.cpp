@@ -42,9 +42,26 @@ static_assert(labels.size() == static_cast<std::size_t>(Quantity::helicity) + 1)
 const Label& label(Quantity quantity) { return labels[static_cast<std::size_t>(quantity)]; }
 
 /// "twist of the ERF $∫ 2h/σ dt$".
-std::string name(const Row& row) {
+/// How the corners of a path are counted: the tangent turns there, by their angles; energies are
+/// infinite.
+std::string note_of_corners(const Row& row) {
+  switch (row.quantity) {
+    case Quantity::curvature:
+    case Quantity::rotation_index:
+    case Quantity::signed_rotation_index:
+      return row.value ? ", with the angles of the corners" : "";
+    case Quantity::bending_energy:
+    case Quantity::frenet_energy:
+      return ", without the corners, where it is infinite";
+    default:
+      return "";
+  }
+}
+
+std::string name(const Row& row, bool has_corners) {
   const std::string symbol = label(row.quantity).symbol;
-  return name_of(row.quantity) + (symbol.empty() ? "" : " $" + symbol + "$");
+  return name_of(row.quantity) + (symbol.empty() ? "" : " $" + symbol + "$") +
+         (has_corners ? note_of_corners(row) : "");
 }
 
 /// "√3·(…)": x times the root of the radicand.
@@ -132,13 +149,8 @@ const CurveTotal* closed_form(const Row& row) {
   return is_of_curve ? closed_form(row.total->segments.front()) : nullptr;
 }
 
-bool is_energy(const Row& row) {
-  return row.quantity == Quantity::bending_energy || row.quantity == Quantity::frenet_energy;
-}
-
 std::string to_text(const Row& row, bool has_corners) {
-  std::string text = "  " + prose(name(row), unicode);
-  if (has_corners && is_energy(row)) text += ", without the corners, where it is infinite";
+  std::string text = "  " + prose(name(row, has_corners), unicode);
   if (row.infinite)
     return text + fmt::format(" = ∞, the pole is at t = {}\n", shown(row.infinite->pole));
   if (!row.value) return text + fmt::format(": {}\n", row.reason);
@@ -172,9 +184,9 @@ std::string equation(const Row& row) {
   return "$" + text.substr(1) + "$";
 }
 
-Fields latex_fields(const Row& row) {
+Fields latex_fields(const Row& row, bool has_corners) {
   const auto words = [&row](Notation) { return equation(row); };
-  Fields fields{{"", name(row), {Value::Words(words), {}}}};
+  Fields fields{{"", name(row, has_corners), {Value::Words(words), {}}}};
   const CurveTotal* total = closed_form(row);
   const Fields more = total ? formula_fields(*total) : Fields();
   fields.insert(fields.end(), more.begin(), more.end());
@@ -219,7 +231,8 @@ std::string to_text(const TotalsAnswer& answer) {
 
 std::string to_latex(const TotalsAnswer& answer) {
   std::string text;
-  for (const Row& row : answer.rows) text += to_align(latex_fields(row));
+  const bool has_corners = !corners(answer.path.path).empty();
+  for (const Row& row : answer.rows) text += to_align(latex_fields(row, has_corners));
   return text;
 }
 

@@ -166,3 +166,15 @@ TEST_CASE("totals report: in LaTeX a square root, a sign that changes, a pole, a
                  "\\text{absolute rotation index $\\int \\kappa\\, ds/2\\pi$} &\\quad "
                  "\\text{not a plane curve}\n"));
 }
+
+// A quarter of a turn is all that the tangent of two edges of a square turns by.
+TEST_CASE("totals report: with corners, it is said what counts their angles and what does not") {
+  Path path(bezier_curve({{0, 0, 0}, {1, 0, 0}}));
+  path.append(bezier_curve({{1, 0, 0}, {1, 1, 0}}));
+  const TotalsAnswer totals = answer(NamedPath{"", path}, TotalsQuery{5});
+  const std::string text = to_text(totals);
+  CHECK(contains(text, "total curvature ∫ κ ds, with the angles of the corners\n    = π/2\n"));
+  CHECK(contains(text, "∫ κ ds/2π, with the angles of the corners\n    = 1/4\n"));
+  CHECK(contains(text, "∫ κ² ds, without the corners, where it is infinite\n    = 0\n"));
+  CHECK(contains(to_latex(totals), "$, with the angles of the corners} &= \\frac{\\pi }{2}"));
+}
