@@ -34,6 +34,10 @@ class Real {
   /// A number of which more is known.
   Real(Enclosure enclosure, Origin origin)
       : known_(std::make_shared<const Known>(Known{std::move(enclosure), std::move(origin)})) {}
+  /// A number of which a ball is known before anything is asked for, which may be too wide.
+  Real(Enclosure enclosure, Origin origin, RealBall quick)
+      : known_(std::make_shared<const Known>(
+            Known{std::move(enclosure), std::move(origin), std::move(quick)})) {}
 
   /// The number, where it is known exactly; without a value it may still be rational.
   const std::optional<Rational>& exact() const { return exact_; }
@@ -41,6 +45,9 @@ class Real {
   Origin origin() const {
     return exact_ ? Origin{false, bits_of(*exact_), nullptr} : known_->origin;
   }
+  /// The ball that is known already: what it decides need not be asked of enclosures. Null without
+  /// one.
+  const RealBall* quick() const { return known_ && known_->quick ? &*known_->quick : nullptr; }
   /// A ball around the number, narrower with more bits.
   RealBall enclose(long bits) const {
     return exact_ ? RealBall(*exact_, bits) : known_->enclosure(bits);
@@ -50,6 +57,7 @@ class Real {
   struct Known {
     Enclosure enclosure;
     Origin origin;
+    std::optional<RealBall> quick = {};
   };
 
   std::optional<Rational> exact_;

@@ -118,6 +118,92 @@ std::string text_of(const Digits& d) {
                      whole < d.digits.size() ? "." : "", d.digits.substr(whole));
 }
 
+/// f/2^shift·10^−places for 0 < f ≤ 2^shift, with two digits, rounded up: n·10^exponent. Below 10
+/// n tells that f is too small.
+struct TwoDigits {
+  ulong n = 0;
+  long exponent = 0;
+  friend bool operator==(const TwoDigits&, const TwoDigits&) = default;
+
+  TwoDigits(const fmpz_t f, long shift, long places) {
+    constexpr long most_steps = 12;
+    flint::Fmpz scaled;
+    flint::Fmpz below;
+    fmpz_set(scaled.get(), f);
+    for (long k = 1; k <= most_steps && n < 10; ++k) {
+      fmpz_mul_ui(scaled.get(), scaled.get(), 10);
+      fmpz_fdiv_q_2exp(below.get(), scaled.get(), static_cast<ulong>(shift));
+      n = fmpz_get_ui(below.get());
+      exponent = -places - k;
+    }
+    if (n < 10) return;
+    if (fmpz_val2(scaled.get()) < static_cast<ulong>(shift)) ++n;
+    if (n == 100) {
+      n = 10;
+      ++exponent;
+    }
+  }
+  std::string text() const { return fmt::format("{}.{}e{}", n / 10, n % 10, exponent + 1); }
+};
+
+/// What round_to_decimal() says of a number in x, whichever enclosures it has; by integers of a few
+/// words. The ball of 128 bits that an enclosure may be is in x, widened by 2^−110. No value where
+/// that is not decided, and for many digits and numbers of unusual size.
+std::optional<Decimal> decided_decimal(RealBall x, long digits) {
+  constexpr long most_digits = 18;
+  const double size = std::abs(approximate(x));
+  if (digits > most_digits || !x.is_finite() || !(size > 1e-20 && size < 1e15)) return std::nullopt;
+  arb_add_error_2exp_si(x.raw(), std::max(0, std::ilogb(size) + 1) - 110);
+  flint::Fmpz low;
+  flint::Fmpz high;
+  flint::Fmpz exponent_of_two;
+  arb_get_interval_fmpz_2exp(low.get(), high.get(), exponent_of_two.get(), x.raw());
+  const bool negative = fmpz_sgn(low.get()) < 0;
+  if (negative) {
+    fmpz_swap(low.get(), high.get());
+    fmpz_neg(low.get(), low.get());
+    fmpz_neg(high.get(), high.get());
+  }
+  const long shift = -fmpz_get_si(exponent_of_two.get());
+  const auto exponent = static_cast<long>(std::floor(std::log10(size)));
+  const long places = digits - 1 - exponent;
+  if (fmpz_sgn(low.get()) <= 0 || shift < 1 || places < 0) return std::nullopt;
+
+  // In units of the last place, times 2^shift; by one unit of that wider, so that no end is a tie.
+  flint::Fmpz scale;
+  fmpz_ui_pow_ui(scale.get(), 10, static_cast<ulong>(places));
+  fmpz_mul(low.get(), low.get(), scale.get());
+  fmpz_mul(high.get(), high.get(), scale.get());
+  fmpz_sub_ui(low.get(), low.get(), 1);
+  fmpz_add_ui(high.get(), high.get(), 1);
+  const auto nearest = [shift](const fmpz_t end) {
+    flint::Fmpz n;
+    fmpz_one(n.get());
+    fmpz_mul_2exp(n.get(), n.get(), static_cast<ulong>(shift - 1));
+    fmpz_add(n.get(), n.get(), end);
+    fmpz_fdiv_q_2exp(n.get(), n.get(), static_cast<ulong>(shift));
+    return n;
+  };
+  flint::Fmpz n = nearest(low.get());
+  const std::string text = Integer(n.get()).str();
+  if (fmpz_equal(n.get(), nearest(high.get()).get()) == 0) return std::nullopt;
+  // At a power of ten the guess of the exponent does not tell on which side the number is.
+  if (static_cast<long>(text.size()) != digits ||
+      std::all_of(text.begin() + 1, text.end(), [](char c) { return c == '0'; }))
+    return std::nullopt;
+
+  fmpz_mul_2exp(n.get(), n.get(), static_cast<ulong>(shift));
+  fmpz_sub(low.get(), n.get(), low.get());
+  fmpz_sub(high.get(), n.get(), high.get());
+  if (fmpz_sgn(low.get()) != fmpz_sgn(high.get()) || fmpz_is_zero(low.get()) != 0)
+    return std::nullopt;
+  fmpz_abs(low.get(), low.get());
+  fmpz_abs(high.get(), high.get());
+  const TwoDigits error(low.get(), shift, places);
+  if (!(error == TwoDigits(high.get(), shift, places)) || error.n < 10) return std::nullopt;
+  return Decimal{text_of({negative, text, exponent}), error.text()};
+}
+
 /// The nearest double, gradual underflow included: MPFR with the exponent range of a double
 /// (MPFR manual, mpfr_subnormalize).
 double nearest_double(const Rational& x) {
@@ -151,6 +237,8 @@ std::optional<double> common_double(const RealBall& x) {
 
 double round_to_double(const Real& x, PrecisionLimit limit) {
   if (x.exact()) return nearest_double(*x.exact());
+  if (x.quick())
+    if (const auto rounded = common_double(*x.quick())) return *rounded;
   return ziv(x, 53, limit, [](const RealBall& ball) { return common_double(ball); });
 }
 
@@ -207,6 +295,8 @@ Decimal round_to_decimal(const Real& x, long digits, PrecisionLimit limit) {
     const Digits rounded = round(*x.exact());
     return {text_of(rounded), upper_bound_text(abs(exact_value(rounded) - *x.exact()))};
   }
+  if (x.quick())
+    if (auto decided = decided_decimal(*x.quick(), digits)) return *std::move(decided);
   RealBall last;
   const Digits rounded = ziv(x, bits, limit, [&](const RealBall& ball) {
     last = ball;

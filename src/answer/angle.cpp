@@ -10,8 +10,9 @@ namespace phrame::inline v0 {
 namespace {
 
 AngleFormula formula(const RmfAngle& angle, const AngleQuery& query) {
-  AngleFormula formula{
-      angle.rate(), angle.angle_to_erf(), angle.bend(), angle.antiderivative(), {}, {}};
+  // What the antiderivative finds helps to reduce the rate.
+  const Antiderivative& angle_to_erf = angle.angle_to_erf();
+  AngleFormula formula{angle.rate(), angle_to_erf, angle.bend(), angle.antiderivative(), {}, {}};
   formula.other = other_form(formula.antiderivative, query.style);
   if (query.most_poles) formula.poles = pole_table(formula.angle_to_erf, *query.most_poles);
   return formula;

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "phrame/algebra/near_poles.hpp"
 #include "phrame/algebra/roots.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/integrate/endpoint.hpp"
@@ -60,5 +61,9 @@ class PoleSum {
   std::vector<Term> terms_;
   Refined<Isolated> isolated_;
 };
+
+/// PoleSum::change() over these poles and their conjugates.
+RealBall change(const std::vector<NearPole>& poles, const Rational& a, const Rational& b,
+                long bits);
 
 }  // namespace phrame

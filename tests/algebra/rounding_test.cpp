@@ -154,3 +154,43 @@ TEST_CASE("rounding: the double that all of a ball rounds to") {
   CHECK(common_double(RealBall(3 * power_of_two(-1074), 64)) == 3 * 0x1p-1074);
   CHECK(common_double(RealBall(3 * power_of_two(-1075), 64)) == 2 * 0x1p-1074);
 }
+
+TEST_CASE("rounding: law: a ball that is known already changes no digit of value and radius") {
+  for_samples(400, [](Random& random) {
+    // Often next to a tie, to a number of few digits or to a power of ten.
+    Rational x = random.rational();
+    if (random.chance(2))
+      x = Rational(random.integer(1, 9'999'999)) * power_of_ten(-random.integer(0, 20)) +
+          (random.chance(2) ? Rational(1, 2) * power_of_ten(-random.integer(6, 30)) : Rational(0));
+    if (random.chance(4)) x = power_of_ten(random.integer(-9, 9));
+    x += Rational(random.integer(-1000, 1000)) * power_of_ten(-random.integer(15, 45));
+    x += Rational(1, 3) * power_of_ten(-60);  // no tie
+    if (random.chance(2)) x = -x;
+    const Real::Enclosure balls = [x](long bits) {
+      RealBall ball(x, std::max(bits, 128L));
+      arb_add_error_2exp_si(ball.raw(), -std::max(bits, 128L));
+      return ball;
+    };
+    const long digits = random.integer(1, 19);
+    const Real ordinary(balls, {true, 0});
+    RealBall near(x + Rational(random.integer(-9, 9)) * power_of_two(-100), 140);
+    arb_add_error_2exp_si(near.raw(), -random.integer(50, 96));
+    REQUIRE(near.contains(x));
+    const Decimal with = round_to_decimal({balls, {true, 0}, near}, digits);
+    const Decimal without = round_to_decimal(ordinary, digits);
+    CHECK(with.value == without.value);
+    CHECK(with.radius == without.radius);
+    CHECK(round_to_double({balls, {true, 0}, near}) == round_to_double(ordinary));
+  });
+}
+
+TEST_CASE("rounding: a ball that decides is all that is asked") {
+  const Real::Enclosure none = [](long) -> RealBall { throw Error("asked"); };
+  RealBall third(Rational(1, 3), 120);
+  CHECK(round_to_decimal({none, {true, 0}, third}, 17).value == "0.33333333333333333");
+  CHECK(round_to_decimal({none, {true, 0}, third}, 17).radius == "3.4e-18");
+  CHECK(round_to_double({none, {true, 0}, third}) == 1.0 / 3);
+  arb_add_error_2exp_si(third.raw(), -40);
+  CHECK_THROWS_AS(round_to_decimal({none, {true, 0}, third}, 17), Error);
+  CHECK(round_to_decimal({none, {true, 0}, third}, 8).value == "0.33333333");
+}

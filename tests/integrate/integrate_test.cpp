@@ -1,5 +1,6 @@
 #include "phrame/integrate/integrate.hpp"
 
+#include "phrame/integrate/known_integral.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -82,5 +83,41 @@ TEST_CASE(
     const Antiderivative whole = integrate(f);
     CHECK(whole.polynomial == F.polynomial);
     CHECK(whole.rational == F.rational);
+  });
+}
+
+TEST_CASE("integrate: law: what near poles tell changes nothing") {
+  const auto check = [](const Polynomial& n, const Polynomial& d) {
+    const auto poles = near_poles(n, d);
+    REQUIRE(poles);
+    const RationalFunction f(n, d);
+    for (const Form form : all_forms)
+      CHECK(integrate(f, algebraic_part(f), form, &*poles) == integrate(f, form));
+  };
+  // Reducible over ℚ, where the sums of roots are integers, halves and sixths, or residues repeat.
+  const Polynomial i{1, 0, 1};
+  check({1, 1}, i * Polynomial{2, 2, 1});
+  check({1, 3, 1}, Polynomial{2, 1, 2} * Polynomial{1, 1, 3});
+  check({1, 3, 1, 1}, Polynomial{7, 1, 2} * Polynomial{5, 2, 5} * Polynomial{11, -1, 3});
+  check({0, 2}, Polynomial{3, 0, 1, 0, 1});
+  check({1, 0, 0, 4}, {1, 1, 1, 1, 1});
+  check({0, 0, 0, 4}, {2, 0, 0, 0, 1});
+  check({2, 5}, i * Polynomial{2, 2, 1});
+  check({0, 2}, i);
+  // 2 Re (1 + 2i)·q′/q with q = t² − 2it − 3: both roots, i ± √2, are above the axis.
+  check({-24, -4, -8, 4}, {9, 0, -2, 0, 1});
+  // Two irreducible factors, of which each sum is 0.
+  check({1, 2, 0, 1}, Polynomial{1, 1, 0, 0, 1} * Polynomial{7, 3, 0, 0, 1});
+  check({-7, 1, 3, 0, 1}, {5, 1, 0, 0, 1, 0, 1});
+  for_samples(30, [&](Random& random) {
+    const auto quadratic = [&] {
+      const long a = random.integer(1, 9);
+      const long b = random.integer(-5, 5);
+      return Polynomial{b * b + random.integer(1, 50), b, a};
+    };
+    Polynomial d = quadratic();
+    for (long k = random.integer(0, 2); k > 0; --k) d *= quadratic();
+    if (random.chance(2)) d = d * d + Polynomial{random.integer(1, 9)};
+    if (is_squarefree(d)) check({random.integer(-9, 9), random.integer(1, 9)}, d);
   });
 }

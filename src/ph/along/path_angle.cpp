@@ -149,8 +149,7 @@ PathAngle::State::State(const Path& along, Measure by) : path(along), measure(st
     closed_forms.emplace_back();
     if (const Curve* curve = ph_curve(segments[k])) closed_forms[k] = measure.along(*curve);
     if (closed_forms[k] && closed_segments == k) ++closed_segments;
-    if (is_zero)
-      is_zero = closed_forms[k] ? closed_forms[k]->rate().is_zero() : other(k)->is_zero();
+    if (is_zero) is_zero = closed_forms[k] ? closed_forms[k]->is_zero() : other(k)->is_zero();
   }
   if (measure.up) find_corner_turns();
 }
@@ -367,7 +366,7 @@ Real PathAngle::value(const Place& at, const StartAngle& start) const {
   auto form = state_->algebraic_form(at);
   if (!form && state_->is_closed_up_to(at.segment)) {
     if (at.t.exact()) return exact_value({at.segment, *at.t.exact()}, *start.exact);
-    if (closed->rate().is_zero()) return exact_value({at.segment, 0}, *start.exact);
+    if (closed->is_zero()) return exact_value({at.segment, 0}, *start.exact);
   }
   const auto enclosure = [*this, at](long bits) { return enclose(at, bits); };
   const Real theta = form ? real_angle(enclosure, *std::move(form), at.t.origin().bits)

@@ -43,8 +43,9 @@ class PHRAME_API RmfAngle {
   RmfAngle& operator=(const RmfAngle&) = default;
   ~RmfAngle() = default;
 
-  /// θ′ in lowest terms.
+  /// θ′ in lowest terms, found when it is first asked for.
   const RationalFunction& rate() const;
+  bool is_zero() const;  ///< Is θ ≡ 0?
   /// Up to a constant θ is angle_to_erf() plus the argument of bend(), where there is one.
   /// angle_to_erf() is ∫ −2h/σ, or 0 where θ ≡ 0. It is found when it is first asked for; no value
   /// needs its form.
@@ -63,7 +64,7 @@ class PHRAME_API RmfAngle {
   /// other cases; where it is not recognised, to round it throws Undecided.
   Real value(const Rational& t, const FrameAngle& start = {}) const;
   /// Chooses the way to values from now on. Copies keep theirs.
-  void set_route(Route route) { evaluator_.set_route(route); }
+  void set_route(Route route) { route_ = route; }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits) const;
   /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a
@@ -79,7 +80,7 @@ class PHRAME_API RmfAngle {
            Form form);
 
   std::shared_ptr<const Parts> parts_;
-  Evaluator evaluator_;  ///< of angle_to_erf
+  Route route_ = Route::automatic;
 };
 
 /// g without its greatest real factor: the Frenet frame turns with its argument, continuously.

@@ -327,3 +327,47 @@ TEST_CASE("threads: four of them ask one angle at rising precisions") {
     CHECK(angle.direction(1).has_value() == other.direction(1).has_value());
   }
 }
+
+// The values of balls, to which set_route() sends, are another way.
+TEST_CASE("angle: law: values from poles in doubles are those of balls, to the last digit") {
+  for_samples(40, [](Random& random) {
+    const long height = random.chance(2) ? 9 : 1'000'000'000;
+    const auto any = [&](long degree) {
+      std::vector<Rational> c;
+      for (long k = 0; k <= degree; ++k) c.emplace_back(random.integer(-height, height));
+      return Polynomial(c);
+    };
+    const long m = random.integer(1, 6);
+    QuaternionPolynomial a{any(m), any(m), any(m), any(m)};
+    if (random.chance(5)) {  // next to a cusp
+      const Rational tiny = power_of_ten(-random.integer(2, 20));
+      a.v *= tiny;
+      a.p *= tiny;
+      a.q *= tiny;
+    }
+    const RmfAngle angle(a);
+    RmfAngle by_roots = angle;
+    by_roots.set_route(Route::roots);
+    const Rational t = random.chance(4) ? power_of_ten(-random.integer(1, 30))
+                                        : Rational(random.integer(-30, 30), random.integer(1, 9));
+    const FrameAngle start =
+        random.chance(2) ? FrameAngle() : FrameAngle(Rational(1, 3), 2, {Rational(1, 2), 1});
+    for (const long digits : {1, 8, 17, 18}) {
+      const Decimal quick = round_to_decimal(angle.value(t, start), digits);
+      const Decimal ball = round_to_decimal(by_roots.value(t, start), digits);
+      CHECK(quick.value == ball.value);
+      CHECK(quick.radius == ball.radius);
+    }
+  });
+}
+
+TEST_CASE("angle: of a plain curve doubles tell 17 digits, and what no route asks of them") {
+  const RmfAngle angle(quintic);
+  REQUIRE(angle.value(1).quick() != nullptr);
+  CHECK(angle.value(1).quick()->is_accurate(85));
+  CHECK(angle.value(1, FrameAngle(Rational(1, 2), 0)).quick() != nullptr);
+  RmfAngle by_roots = angle;
+  by_roots.set_route(Route::roots);
+  CHECK(by_roots.value(1).quick() == nullptr);
+  CHECK(angle.value(0).quick() == nullptr);
+}

@@ -1,0 +1,97 @@
+#pragma once
+#include <cmath>
+#include <complex>
+
+#include "phrame/algebra/error_free.hpp"
+
+namespace phrame::inline v0 {
+
+/// A complex number within `error` of re + i·im, where the second double of each is at most half an
+/// ulp of the first: balls of about 100 bits, for what needs no more and is to be quick.
+///
+/// What is computed with them holds in rounding to nearest. Overflow makes the error infinite or
+/// not a number, never too small; nothing is decided but by comparisons that are false then.
+struct NearComplex {
+  DoubleDouble re;
+  DoubleDouble im;
+  double error = 0;
+};
+
+// The bounds, with u = 2^−53. A sum of two such pairs of doubles is off by at most 3u²·(|a| + |b|)
+// and a product by 8u²·|ab|, each up to a factor 1 + 2^−40 [Joldes, Muller, Popescu
+// 2017]. So the parts of a complex product are off by 11u²·(|x₁y₁| + |x₂y₂|), which is at most
+// 11u²·|z||w| by the inequality of Cauchy and Schwarz, and the product by √2 times that, less than
+// 2^−102·|z||w|. What underflows in it adds less than 2^−1000. Bounds are computed from terms ≥ 0,
+// of which each operation rounds by u: `up` covers a hundred of them.
+
+namespace near {
+
+inline constexpr double up = 1 + 0x1p-46;
+inline constexpr double down = 1 - 0x1p-46;
+inline constexpr double rounding = 0x1p-102;
+inline constexpr double least = 0x1p-1000;  ///< covers underflow
+inline constexpr double least_size = 0x1p-500;
+
+/// |high| ≥ |low|, or high = 0 = low.
+inline DoubleDouble normalized(double high, double low) {
+  const double sum = high + low;
+  return {sum, low - (sum - high)};
+}
+inline DoubleDouble sum(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble s = two_sum(a.high, b.high);
+  return two_sum(s.high, s.low + (a.low + b.low));
+}
+inline DoubleDouble negative(const DoubleDouble& a) { return {-a.high, -a.low}; }
+inline DoubleDouble product(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble p = two_product(split_factor(a.high), split_factor(b.high));
+  return normalized(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+/// Not less than |re + i·im|.
+inline double size_above(const NearComplex& z) {
+  return std::sqrt(z.re.high * z.re.high + z.im.high * z.im.high) * up + least_size;
+}
+/// Not more than the absolute value of any number that z may be; perhaps negative.
+inline double size_below(const NearComplex& z) {
+  return std::sqrt(z.re.high * z.re.high + z.im.high * z.im.high) * down - least_size -
+         z.error * up;
+}
+
+}  // namespace near
+
+inline NearComplex operator+(const NearComplex& z, const NearComplex& w) {
+  constexpr double rounding = 0x1p-104;  // 4u²
+  return {near::sum(z.re, w.re), near::sum(z.im, w.im),
+          (z.error + w.error + rounding * (near::size_above(z) + near::size_above(w))) * near::up};
+}
+
+inline NearComplex operator-(const NearComplex& z, const NearComplex& w) {
+  return z + NearComplex{near::negative(w.re), near::negative(w.im), w.error};
+}
+
+inline NearComplex operator*(const NearComplex& z, const NearComplex& w) {
+  const double a = near::size_above(z);
+  const double b = near::size_above(w);
+  return {
+      near::sum(near::product(z.re, w.re), near::negative(near::product(z.im, w.im))),
+      near::sum(near::product(z.re, w.im), near::product(z.im, w.re)),
+      (a * w.error + (b + w.error) * z.error + near::rounding * a * b) * near::up + near::least};
+}
+
+/// 1/w = q·(1 + r + r²/(1 − r)) with r = 1 − w·q, q the quotient in doubles.
+inline NearComplex inverse(const NearComplex& w) {
+  const std::complex<double> q = 1.0 / std::complex<double>(w.re.high, w.im.high);
+  const NearComplex quotient{{q.real()}, {q.imag()}};
+  const NearComplex one{{1}, {}};
+  const NearComplex rest = one - w * quotient;
+  const double r = near::size_above(rest) + rest.error;
+  NearComplex result = quotient + quotient * rest;
+  result.error += near::size_above(quotient) * (r * r) * 2 + near::least;
+  result.error *= near::up;
+  if (!(r < 0.25)) result.error = INFINITY;
+  return result;
+}
+
+inline NearComplex conjugate(const NearComplex& z) { return {z.re, near::negative(z.im), z.error}; }
+
+}  // namespace phrame

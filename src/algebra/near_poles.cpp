@@ -1,0 +1,151 @@
+// The roots are guessed in doubles and improved by Newton's steps, of which nothing is proved.
+// Then, of n points zᵢ, the discs |z − zᵢ| ≤ n·|d(zᵢ)|/|a·Π(zᵢ − zⱼ)|, a the leading coefficient,
+// contain all roots of d, and one that is apart from the others contains one [Smith 1970]. The
+// points are those above the real axis and their conjugates, so that no disc that is apart meets
+// the axis.
+#include "phrame/algebra/near_poles.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/near_complex.hpp"
+#include "phrame/algebra/root_guess.hpp"
+#include "phrame/algebra/rounding.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+using Complex = std::complex<double>;
+using NearPolynomial = std::vector<NearNumber>;  // ascending
+
+constexpr long most_degree = 63;
+constexpr double greatest = 0x1p200;  // of coefficients; products of many stay far from overflow
+
+/// No value where a coefficient is too large for doubles.
+std::optional<NearPolynomial> near_polynomial(const Polynomial& p) {
+  const auto coefficient = [&](long k) -> NearNumber {
+    const fmpz c = p.raw()->coeffs[k];
+    const bool is_double = !COEFF_IS_MPZ(c) && std::abs(c) <= (1L << 53);
+    if (is_double && fmpz_is_one(p.raw()->den) != 0) return {{static_cast<double>(c)}};
+    return near_number(p.coefficient(k));
+  };
+  NearPolynomial result;
+  result.reserve(static_cast<std::size_t>(p.degree() + 1));
+  for (long k = 0; k <= p.degree(); ++k) {
+    result.push_back(coefficient(k));
+    if (!(std::abs(result.back().value.high) < greatest)) return std::nullopt;
+  }
+  return result;
+}
+
+/// For coefficients of degree ≤ 63.
+NearPolynomial derivative(const NearPolynomial& p) {
+  NearPolynomial result;
+  result.reserve(p.size());
+  for (std::size_t k = 1; k < p.size(); ++k) {
+    const auto factor = static_cast<double>(k);
+    const NearNumber& c = p[k];
+    const DoubleDouble value = near::product(c.value, {factor});
+    result.push_back({value, (factor * c.error + near::rounding * std::abs(value.high)) * near::up +
+                                 near::least});
+  }
+  return result;
+}
+
+NearComplex as_complex(const NearNumber& x) { return {x.value, {}, x.error}; }
+
+NearComplex evaluate(const NearPolynomial& p, const NearComplex& z) {
+  if (p.empty()) return {};
+  NearComplex value = as_complex(p.back());
+  for (std::size_t k = p.size() - 1; k-- > 0;) value = value * z + as_complex(p[k]);
+  return value;
+}
+
+Complex approximate(const NearComplex& z) { return {z.re.high, z.im.high}; }
+
+/// p′(z), of p′, in doubles.
+Complex slope(const NearPolynomial& derivative, Complex z) {
+  Complex value = 0;
+  for (std::size_t k = derivative.size(); k-- > 0;)
+    value = {value.real() * z.real() - value.imag() * z.imag() + derivative[k].value.high,
+             value.real() * z.imag() + value.imag() * z.real()};
+  return value;
+}
+
+/// Approximations of the roots above the real axis; none where they are not half of all.
+std::vector<NearComplex> points_above(const NearPolynomial& d, const NearPolynomial& slope_of_d) {
+  std::vector<double> coefficients;
+  for (const NearNumber& c : d) coefficients.push_back(c.value.high);
+  std::vector<NearComplex> points;
+  for (const Complex& z : guess_roots(coefficients))
+    if (z.imag() > 0) points.push_back({{z.real()}, {z.imag()}});
+  if (2 * points.size() + 1 != d.size()) return {};
+  constexpr int most_steps = 3;
+  constexpr double enough = 0x1p-42;  // its square is what remains
+  for (NearComplex& z : points)
+    for (int k = 0; k < most_steps; ++k) {
+      const Complex at = approximate(z);
+      const Complex step = approximate(evaluate(d, z)) / slope(slope_of_d, at);
+      z = z - NearComplex{{step.real()}, {step.imag()}};
+      z.error = 0;
+      if (std::norm(step) < enough * enough * std::norm(at)) break;
+    }
+  return points;
+}
+
+/// Gives each point the radius of its disc; false where they are not apart.
+bool enclose(std::vector<NearComplex>& points, const NearPolynomial& d) {
+  const double leading = std::abs(d.back().value.high) * near::down - d.back().error * near::up;
+  std::vector<double> radii;
+  for (const NearComplex& z : points) {
+    const NearComplex value = evaluate(d, z);
+    double radius =
+        static_cast<double>(d.size() - 1) * (near::size_above(value) + value.error) / leading;
+    double nearest = INFINITY;
+    const auto divide_by_distance = [&](const NearComplex& other) {
+      const double distance = near::size_below(z - other);
+      radius /= distance;
+      nearest = std::min(nearest, distance);
+      return distance > 0 && radius > 0x1p-900 && radius < 0x1p900;
+    };
+    for (const NearComplex& other : points)
+      if ((&other != &z && !divide_by_distance(other)) || !divide_by_distance(conjugate(other)))
+        return false;
+    radius *= near::up;
+    // So that a square around it is apart from the others, too.
+    if (!(16 * radius < nearest)) return false;
+    radii.push_back(radius);
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) points[k].error = radii[k];
+  return true;
+}
+
+RealBall ball(const DoubleDouble& x, double error) {
+  RealBall result = exact_sum(x.high, x.low);
+  return widened(std::move(result), error);
+}
+ComplexBall ball(const NearComplex& z) { return {ball(z.re, z.error), ball(z.im, z.error)}; }
+
+std::optional<std::vector<NearPole>> found(const Polynomial& n, const Polynomial& d) {
+  const auto below = near_polynomial(d);
+  const auto above = near_polynomial(n);
+  if (!below || !above) return std::nullopt;
+  const NearPolynomial slope_of_d = derivative(*below);
+  std::vector<NearComplex> points = points_above(*below, slope_of_d);
+  if (points.empty() || !enclose(points, *below)) return std::nullopt;
+  std::vector<NearPole> poles;
+  for (const NearComplex& z : points) {
+    const NearComplex residue = evaluate(*above, z) * inverse(evaluate(slope_of_d, z));
+    if (!std::isfinite(residue.error)) return std::nullopt;
+    poles.push_back({ball(z), ball(residue)});
+  }
+  return poles;
+}
+
+}  // namespace
+
+std::optional<std::vector<NearPole>> near_poles(const Polynomial& n, const Polynomial& d) {
+  if (d.degree() < 2 || d.degree() > most_degree) return std::nullopt;
+  return rounding_to_nearest([&] { return found(n, d); });
+}
+
+}  // namespace phrame
