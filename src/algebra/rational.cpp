@@ -99,7 +99,18 @@ class Scanner {
   std::string_view rest_;
 };
 
+/// "-12": most numbers are such.
+std::optional<long> short_integer(std::string_view text) {
+  constexpr std::size_t most_characters = 18;
+  long value = 0;
+  if (text.empty() || text.size() > most_characters) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 std::optional<Rational> scan(std::string_view text) {
+  if (const auto value = short_integer(text)) return *value;
   Scanner in(text);
   const bool negative = in.negative_sign();
   bool hexadecimal = false;

@@ -317,8 +317,9 @@ NamedPath CurveOptions::read_any_path() const {
     if (sign_of(to_real(*most)) < 0) throw InputError("--max-corner", "the angle is negative");
   }
   NamedPath named = read_near_or_any();
+  if (!most && !is_for_frames) return named;
   const auto corners = phrame::corners(named.path);
-  if (corners.empty() || (!most && !is_for_frames)) return named;
+  if (corners.empty()) return named;
   const std::string file = name_of_file(path);
   if (most) refuse_corners_beyond(*most, corners, file);
   constexpr double rounding = 1e-6;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace CLI {
@@ -156,8 +157,8 @@ class Command {
   void check_ending() const;
   void describe_output();
 
-  CLI::App& app_;                                        ///< within the program's
-  mutable std::map<std::string, CLI::Option*> options_;  ///< that were asked for
+  CLI::App& app_;                                                  ///< within the program's
+  mutable std::unordered_map<std::string, CLI::Option*> options_;  ///< that were asked for
   std::map<std::string, OptionFacts> facts_;
   std::map<std::string, std::function<std::vector<std::string>()>> values_;  ///< of choices, now
   std::string notes_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "phrame/algebra/time_limit.hpp"
@@ -162,16 +163,24 @@ std::string place_in_line(const std::string& place, const Command& command,
 /// The same JSON without blanks and line feeds between its words.
 std::string compact_json(std::string_view json) {
   std::string line;
-  bool is_in_string = false;
-  for (std::size_t k = 0; k < json.size(); ++k) {
-    const char c = json[k];
-    if (is_in_string && c == '\\') {
-      line += c;
-      line += json[++k];
-      continue;
+  line.reserve(json.size());
+  constexpr auto ends_run = [] {
+    std::array<bool, 256> ends{};
+    for (const char c : {' ', '\n', '\t', '\r', '"'}) ends[static_cast<unsigned char>(c)] = true;
+    return ends;
+  }();
+  const auto is_end = [&](char c) { return ends_run[static_cast<unsigned char>(c)]; };
+  for (std::size_t k = 0; k < json.size();) {
+    const std::size_t begin = k;
+    if (json[k] == '"') {
+      for (++k; json[k] != '"'; ++k)
+        if (json[k] == '\\') ++k;
+      ++k;
+    } else {
+      while (k < json.size() && !is_end(json[k])) ++k;
     }
-    if (c == '"') is_in_string = !is_in_string;
-    if (is_in_string || (c != ' ' && c != '\n' && c != '\t' && c != '\r')) line += c;
+    line.append(json, begin, k - begin);
+    while (k < json.size() && json[k] != '"' && is_end(json[k])) ++k;
   }
   return line;
 }

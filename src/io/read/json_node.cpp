@@ -11,6 +11,21 @@
 
 namespace phrame::inline v0 {
 
+namespace {
+
+/// No value where it holds none that can be read.
+std::optional<Rational> number_in(const JsonValue& value) {
+  if (value.kind != JsonValue::Kind::number && value.kind != JsonValue::Kind::string)
+    return std::nullopt;
+  try {
+    return parse_rational(value.text);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 void JsonNode::fail(const std::string& reason) const { throw InputError(place(), reason); }
 
 void JsonNode::require(Kind kind, const std::string& wanted) const {
@@ -46,7 +61,13 @@ JsonNode JsonNode::item(std::size_t k) const {
 
 std::vector<Rational> JsonNode::numbers() const {
   std::vector<Rational> result;
-  for (std::size_t k = 0; k < size(); ++k) result.push_back(item(k).number());
+  result.reserve(size());
+  for (std::size_t k = 0; k < size(); ++k) {
+    // With its place only where something is wrong with it.
+    const JsonValue& value = value_->items[k];
+    auto number = number_in(value);
+    result.push_back(number ? *std::move(number) : item(k).number());
+  }
   return result;
 }
 
@@ -103,10 +124,15 @@ namespace {
 /// By the texts in it.
 bool may_have_many_bits(const JsonValue& value) {
   constexpr std::size_t short_text = 1000;  // without an exponent
+  constexpr std::string_view of_numbers = "0123456789+-.eExXaAbBcCdDfFpP/";
   const auto has = [&text = value.text](std::string_view any_of) {
     return text.find_first_of(any_of) != std::string::npos;
   };
-  return value.text.size() > short_text || (has("eE") && has("0123456789")) ||
+  const auto is_like_number = [&] {
+    return has("eE") && has("0123456789") &&
+           value.text.find_first_not_of(of_numbers) == std::string::npos;
+  };
+  return value.text.size() > short_text || is_like_number() ||
          std::ranges::any_of(value.items, may_have_many_bits);
 }
 

@@ -8,7 +8,7 @@
 #include "phrame/answer/angle.hpp"
 #include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/heading.hpp"
-#include "phrame/io/write/json_text.hpp"
+#include "phrame/io/write/json_object.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/pole_table.hpp"
 #include "phrame/io/write/radical_form_text.hpp"
@@ -219,7 +219,8 @@ void add_formula(JsonOutput& json, const AngleFormula& formula) {
 }
 
 JsonOutput curve_json(const NamedPath& named) {
-  JsonOutput json = {{"name", named.name}};
+  JsonOutput json = object_with_room(2);
+  json["name"] = named.name;
   if (const Curve* ph = ph_curve(named.path.segments().front())) json["degree"] = degree(*ph);
   return json;
 }
@@ -250,7 +251,8 @@ void add_formulas(JsonOutput& json, const AngleAnswer& answer) {
 JsonOutput json_of(const AngleAnswer& answer) {
   const Path& path = answer.path.path;
   const bool is_single = path.segments().size() == 1;
-  JsonOutput json = {{"phrame", is_single ? "angle/1" : "spline-angle/1"}};
+  JsonOutput json = object_with_room(12);
+  json["phrame"] = is_single ? "angle/1" : "spline-angle/1";
   if (is_single)
     json["curve"] = curve_json(answer.path);
   else

@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/cas_formula.hpp"
 #include "phrame/io/write/closed_form.hpp"
+#include "phrame/io/write/json_object.hpp"
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/nearness.hpp"
 #include "phrame/io/write/radical_text.hpp"
@@ -25,10 +26,19 @@ bool is_plain(const std::string& text) {
 }
 
 /// As nlohmann's own dump, which takes long over the digits of long numbers.
+void append_string(std::string& text, const std::string& string) {
+  if (is_plain(string)) {
+    text += '"';
+    text += string;
+    text += '"';
+  } else {
+    text += JsonOutput(string).dump();
+  }
+}
+
 void append_line(std::string& text, const JsonOutput& json) {
-  if (const auto* plain = json.get_ptr<const std::string*>();
-      plain != nullptr && is_plain(*plain)) {
-    text += '"' + *plain + '"';
+  if (const auto* string = json.get_ptr<const std::string*>()) {
+    append_string(text, *string);
   } else if (json.is_array()) {
     text += '[';
     for (auto at = json.begin(); at != json.end(); ++at) {
@@ -53,7 +63,10 @@ void append(std::string& text, const JsonOutput& json, std::size_t depth) {
   std::size_t left = json.size();
   for (const auto& [key, value] : json.items()) {
     text += indent;
-    if (object) text += JsonOutput(key).dump() + ": ";
+    if (object) {
+      append_string(text, key);
+      text += ": ";
+    }
     append(text, value, depth + 1);
     text += --left > 0 ? ",\n" : "\n";
   }
@@ -88,7 +101,10 @@ JsonOutput json_of(const GaussianPolynomial& p) {
 }
 
 JsonOutput json_of(const RationalFunction& f) {
-  return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
+  JsonOutput json = object_with_room(2);
+  json["numerator"] = json_of(f.numerator());
+  json["denominator"] = json_of(f.denominator());
+  return json;
 }
 
 namespace {
@@ -114,17 +130,21 @@ JsonOutput json_of(const SurdPolynomial& p) {
 }
 
 JsonOutput json_of(const LogSum& sum) {
-  return {{"index", json_of(sum.index)},
-          {"residue", json_of(sum.residue)},
-          {"argument", array_of(sum.argument.coefficients())}};
+  JsonOutput json = object_with_room(3);
+  json["index"] = json_of(sum.index);
+  json["residue"] = json_of(sum.residue);
+  json["argument"] = array_of(sum.argument.coefficients());
+  return json;
 }
 
 JsonOutput json_of(const Antiderivative& F) {
-  return {{"polynomial", json_of(F.polynomial)},
-          {"rational", json_of(F.rational)},
-          {"logs", array_of(F.logs)},
-          {"form", form_name(F)},
-          {"checked", true}};  // nothing unchecked leaves integrate()
+  JsonOutput json = object_with_room(5);
+  json["polynomial"] = json_of(F.polynomial);
+  json["rational"] = json_of(F.rational);
+  json["logs"] = array_of(F.logs);
+  json["form"] = form_name(F);
+  json["checked"] = true;  // nothing unchecked leaves integrate()
+  return json;
 }
 
 JsonOutput json_of(const RealForm& F) {
@@ -184,7 +204,7 @@ void add_values(JsonOutput& json, const std::vector<AngleValue>& values, Paramet
   };
   JsonOutput list = JsonOutput::array();
   for (const AngleValue& value : values) {
-    JsonOutput row = JsonOutput::object();
+    JsonOutput row = object_with_room(4);
     if (value.asked) row[column_of(by)] = json_of_number(*value.asked);
     row["t"] = json_of_number(value.t);
     row["theta"] = value.theta.value;

@@ -18,47 +18,84 @@ OverOneDenominator over_one_denominator(const std::vector<Rational>& list) {
   OverOneDenominator result;
   for (const Rational& x : list) {
     const Integer d = denominator(x);
-    if (result.denominator % d != 0) result.denominator = lcm(result.denominator, d);
+    if (d != 1 && result.denominator % d != 0) result.denominator = lcm(result.denominator, d);
   }
+  result.numerators.reserve(list.size());
   for (const Rational& x : list)
-    result.numerators.push_back(numerator(x) * (result.denominator / denominator(x)));
+    result.numerators.push_back(result.denominator == 1
+                                    ? numerator(x)
+                                    : numerator(x) * (result.denominator / denominator(x)));
   return result;
+}
+
+/// With r′ = Σ_n f·c_n tⁿ, r(1) − r(0) = Σ_n c_n·w_n, w_n = Σ_k f_k/(n + k + 1).
+class Displacement {
+ public:
+  explicit Displacement(const Curve& curve)
+      : m_(static_cast<std::size_t>(preimage_degree(curve))),
+        parts_(parts(curve)),
+        weights_(weights(curve)),
+        below_(parts_.denominator * parts_.denominator * weights_.denominator) {}
+
+  Rational operator[](std::size_t coordinate) const {
+    Integer sum;
+    for (std::size_t i = 0; i <= m_; ++i)
+      for (std::size_t j = i; j <= m_; ++j)
+        // S(A_i, A_j), which is there twice for i ≠ j.
+        sum += (i == j ? 1 : 2) * weights_.numerators[i + j] *
+               product(&parts_.numerators[4 * i], &parts_.numerators[4 * j], coordinate);
+    return {sum, below_};
+  }
+
+ private:
+  static OverOneDenominator parts(const Curve& curve) {
+    const QuaternionPolynomial& a = curve.preimage();
+    std::vector<Rational> list;
+    for (long k = 0; k <= preimage_degree(curve); ++k)
+      for (const Polynomial* p : {&a.u, &a.v, &a.p, &a.q}) list.push_back(p->coefficient(k));
+    return over_one_denominator(list);
+  }
+  static OverOneDenominator weights(const Curve& curve) {
+    const long degree = 2 * preimage_degree(curve);
+    std::vector<Rational> list(static_cast<std::size_t>(degree + 1));
+    for (long n = 0; n <= degree; ++n)
+      for (long k = 0; k <= curve.multiplier().degree(); ++k)
+        list[static_cast<std::size_t>(n)] += curve.multiplier().coefficient(k) / (n + k + 1);
+    return over_one_denominator(list);
+  }
+  /// The coordinate of S(b, c) = (b i c* + c i b*)/2.
+  static Integer product(const Integer* b, const Integer* c, std::size_t coordinate) {
+    if (coordinate == 0) return b[0] * c[0] + b[1] * c[1] - b[2] * c[2] - b[3] * c[3];
+    if (coordinate == 1) return b[0] * c[3] + b[3] * c[0] + b[1] * c[2] + b[2] * c[1];
+    return b[1] * c[3] + b[3] * c[1] - b[0] * c[2] - b[2] * c[0];
+  }
+
+  std::size_t m_;
+  OverOneDenominator parts_;
+  OverOneDenominator weights_;
+  Integer below_;
+};
+
+Vector<Rational> rational_end_point(const Curve& curve) {
+  return Rational(1 / curve.weight()(1)) * evaluate(numerator(curve), 1);
 }
 
 }  // namespace
 
-// With r′ = Σ_n f·c_n tⁿ it is start + Σ_n c_n·w_n, w_n = Σ_k f_k/(n + k + 1).
 Vector<Rational> end_point(const Curve& curve) {
-  if (!curve.is_polynomial())
-    return Rational(1 / curve.weight()(1)) * evaluate(numerator(curve), 1);
-  const QuaternionPolynomial& a = curve.preimage();
-  const auto m = static_cast<std::size_t>(preimage_degree(curve));
-  std::vector<Rational> list;
-  for (std::size_t k = 0; k <= m; ++k)
-    for (const Polynomial* p : {&a.u, &a.v, &a.p, &a.q})
-      list.push_back(p->coefficient(static_cast<long>(k)));
-  const OverOneDenominator parts = over_one_denominator(list);
-  const std::vector<Integer>& x = parts.numerators;
-  std::vector<Rational> weights(2 * m + 1);
-  for (long n = 0; n <= static_cast<long>(2 * m); ++n)
-    for (long k = 0; k <= curve.multiplier().degree(); ++k)
-      weights[static_cast<std::size_t>(n)] += curve.multiplier().coefficient(k) / (n + k + 1);
-  const OverOneDenominator w = over_one_denominator(weights);
-  Vector<Integer> sum;
-  for (std::size_t i = 0; i <= m; ++i)
-    for (std::size_t j = i; j <= m; ++j) {
-      // S(A_i, A_j), which is there twice for i ≠ j.
-      const Integer* const b = &x[4 * i];
-      const Integer* const c = &x[4 * j];
-      const Integer weight = (i == j ? 1 : 2) * w.numerators[i + j];
-      sum[0] += weight * (b[0] * c[0] + b[1] * c[1] - b[2] * c[2] - b[3] * c[3]);
-      sum[1] += weight * (b[0] * c[3] + b[3] * c[0] + b[1] * c[2] + b[2] * c[1]);
-      sum[2] += weight * (b[1] * c[3] + b[3] * c[1] - b[0] * c[2] - b[2] * c[0]);
-    }
-  const Integer below = parts.denominator * parts.denominator * w.denominator;
+  if (!curve.is_polynomial()) return rational_end_point(curve);
+  const Displacement displacement(curve);
   Vector<Rational> end = curve.start();
-  for (std::size_t k = 0; k < 3; ++k) end[k] += Rational(sum[k], below);
+  for (std::size_t k = 0; k < 3; ++k) end[k] += displacement[k];
   return end;
+}
+
+bool ends_at(const Curve& curve, const Vector<Rational>& point) {
+  if (!curve.is_polynomial()) return rational_end_point(curve) == point;
+  const Displacement displacement(curve);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (curve.start()[k] + displacement[k] != point[k]) return false;
+  return true;
 }
 
 }  // namespace phrame

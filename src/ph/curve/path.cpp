@@ -181,7 +181,7 @@ std::optional<PhPath> Path::with_preimages() const {
 bool Path::ends_meet() const {
   const Curve* first = ph_curve(segments().front());
   const Curve* last = ph_curve(segments().back());
-  if (first != nullptr && last != nullptr) return end_point(*last) == first->start();
+  if (first != nullptr && last != nullptr) return ends_at(*last, first->start());
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);

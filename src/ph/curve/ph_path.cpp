@@ -105,14 +105,14 @@ PhPath joined(const std::vector<Curve>& curves) {
   return path;
 }
 
-bool PhPath::ends_meet() const { return end_point(segments_.back()) == segments_.front().start(); }
+bool PhPath::ends_meet() const { return ends_at(segments_.back(), segments_.front().start()); }
 
 std::optional<GaussianRational> PhPath::closing_turn() const {
   return phrame::closing_turn(segments_.front(), segments_.back());
 }
 
 std::optional<GaussianRational> closing_turn(const Curve& first, const Curve& last) {
-  if (end_point(last) != first.start()) return std::nullopt;
+  if (!ends_at(last, first.start())) return std::nullopt;
   const auto found = meeting(end_of(last), start_of(first));
   return found ? std::optional(found->turn) : std::nullopt;
 }

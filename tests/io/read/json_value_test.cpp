@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/json_node.hpp"
 #include "support/random.hpp"
 
 namespace json_value_test {
@@ -84,6 +86,49 @@ TEST_CASE("JSON values: numbers stay in order, strings that look like numbers st
   CHECK(value.items[3].find("k")->text == "6E1");
   CHECK(value.items[4].text == "7");
   CHECK(value.items[5].text == "-8\\");
+}
+
+// An escape makes nlohmann's parser read it, what is plain needs none.
+TEST_CASE("JSON values: law: what is plain is read as nlohmann's parser reads it") {
+  test::for_samples(300, [](test::Random& random) {
+    const auto blank = [&] { return std::string(random.chance(4) ? " \t\r\n" : ""); };
+    const std::function<std::string(long)> any = [&](long depth) -> std::string {
+      const auto word = [&] {
+        return std::vector{"null", "true", "false"}[static_cast<std::size_t>(random.integer(0, 2))];
+      };
+      switch (random.integer(0, depth > 0 ? 5 : 3)) {
+        case 0:
+          return word();
+        case 1:
+          return std::vector{"0", "-17", "3.25e-7",
+                             "1E+9"}[static_cast<std::size_t>(random.integer(0, 3))];
+        case 2:
+        case 3:
+          return std::vector{"\"\"", "\"a b ~ {[1,2]}:\"",
+                             "\"x/y'\""}[static_cast<std::size_t>(random.integer(0, 2))];
+        case 4: {
+          std::string text = "[" + blank();
+          for (long k = random.integer(0, 3); k > 0; --k)
+            text += any(depth - 1) + blank() + (k > 1 ? "," : "") + blank();
+          return text + "]";
+        }
+        default: {
+          std::string text = "{" + blank();
+          for (long k = random.integer(0, 3); k > 0; --k)
+            text += "\"k" + std::to_string(k) + "\"" + blank() + ":" + blank() + any(depth - 1) +
+                    blank() + (k > 1 ? "," : "") + blank();
+          return text + "}";
+        }
+      }
+    };
+    const std::string inner = any(4);
+    const std::string end = ":" + inner + "}" + blank();
+    CAPTURE(inner);
+    const JsonValue plain = parse_json("{\"a\"" + end);
+    const JsonValue escaped = parse_json("{\"\\u0061\"" + end);
+    CHECK(json_text(JsonNode(plain)) == json_text(JsonNode(escaped)));
+    CHECK(description(plain.items[0]) == description(escaped.items[0]));
+  });
 }
 
 // The parser sees no number but 0; what it accepts must be what it would accept anyway.

@@ -22,7 +22,12 @@ TEST_CASE("end_point: r(1), for all degrees of A and f") {
     const QuaternionPolynomial a{polynomial(m), polynomial(random.integer(0, m)), polynomial(m),
                                  polynomial(random.integer(0, m))};
     const Curve curve(a, polynomial(random.integer(0, 4)), {1, Rational(2, 3), -5});
-    CHECK(end_point(curve) == evaluate(position(curve), 1));
+    const Vector<Rational> end = evaluate(position(curve), 1);
+    CHECK(end_point(curve) == end);
+    CHECK(ends_at(curve, end));
+    Vector<Rational> other = end;
+    other[static_cast<std::size_t>(random.integer(0, 2))] += Rational(1, 1000);
+    CHECK_FALSE(ends_at(curve, other));
   });
   CHECK(end_point(Curve({{}, {}, {}, {0, 1}})) == Vector<Rational>{Rational(-1, 3), 0, 0});
 }
