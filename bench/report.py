@@ -173,8 +173,13 @@ def beside(program):
     """Rows of the first table: what, a call, its neighbour, a call or a function of no arguments that returns seconds."""
     quintic = program.file("quintic.json", random_curve(2))
     rng = random.Random(2003)
-    preimages = [[[rng.randint(-9, 9) for _ in range(3)] for _ in range(4)] for _ in range(3000)]
-    batch = program.file("batch.jsonl", "".join(json.dumps({"at": 1, "curve": curve(a)}) + "\n" for a in preimages))
+
+    def lines(name, m, count):
+        preimages = [[[rng.randint(-9, 9) for _ in range(m + 1)] for _ in range(4)] for _ in range(count)]
+        return preimages, program.file(name, "".join(json.dumps({"at": 1, "curve": curve(a)}) + "\n" for a in preimages))
+
+    quintics, batch = lines("batch.jsonl", 2, 3000)
+    degree21, batch21 = lines("batch21.jsonl", 10, 1000)
     m81 = program.file("m40.json", random_curve(40))
     table = points(10_000)
     spline = program.file("spline.csv", table)
@@ -202,7 +207,10 @@ def beside(program):
          "a random curve", ("angle", program.file("r80.json", random_curve(80)))),
         ("`--form rothstein-trager`, m = 20", forms(20)[0], "the default form", forms(20)[1]),
         ("m = 40", forms(40)[0], "the default form", forms(40)[1]),
-        ("`batch --values-only`, 3000 quintics", ("batch", "--values-only", batch), "python-flint: roots, residues, logarithms", flint and (lambda: by_roots(preimages))),
+        ("`batch --values-only`, 3000 quintics", ("batch", "--values-only", batch), "python-flint: roots, residues, logarithms", flint and (lambda: by_roots(quintics))),
+        ("the same with closed forms", ("batch", batch), "values only", ("batch", "--values-only", batch)),
+        ("`batch --values-only`, 1000 curves of degree 21", ("batch", "--values-only", batch21), "python-flint", flint and (lambda: by_roots(degree21))),
+        ("the same with closed forms", ("batch", batch21), "values only", ("batch", "--values-only", batch21)),
         ("θ of the knot to 50 digits", ("angle", KNOT, "--at", 1, "--digits", 50, "--start", "up"), "python-flint's `acb.integral`", flint and by_quadrature),
         ("5000 digits of a quartic Bézier's angle", ("angle", quartic, "--at", 1, "--digits", 5000), "1000 digits", ("angle", quartic, "--at", 1, "--digits", 1000)),
         ("`angle` of a C² spline, 10⁴ points", ("angle", spline, "--at", 1), "`info`", ("info", spline)),

@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "curves.hpp"
+#include "phrame/algebra/near_poles.hpp"
 
 namespace phrame::inline v0::bench {
 namespace {
@@ -32,6 +33,19 @@ void values_at_roots(State& state) {
     }
 }
 
+/// For values of up to 18 digits: those of σ above the real axis with the residues of θ′, by pairs
+/// of doubles, beside what balls of as many bits take for the roots alone.
+void poles_by_doubles(State& state) {
+  const QuaternionPolynomial a = random_curve(state.range(0)).preimage();
+  const Polynomial n = Rational(-2) * twist_numerator(a);
+  const Polynomial d = sigma(a);
+  for (auto _ : state) benchmark::DoNotOptimize(near_poles(n, d));
+}
+void roots_of_80_bits(State& state) {
+  const Polynomial d = sigma(random_curve(state.range(0)).preimage());
+  for (auto _ : state) benchmark::DoNotOptimize(isolate_roots(d, 80));
+}
+
 /// Chebyshev's Tₙ: coefficients with as many bits as the degree has, all roots in [−1, 1].
 void roots_of_chebyshev(State& state) {
   Polynomial before{1};
@@ -56,6 +70,8 @@ BENCHMARK(roots_of_sigma)
     ->Arg(200)
     ->Arg(500)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(poles_by_doubles)->Arg(2)->Arg(10)->Arg(30);
+BENCHMARK(roots_of_80_bits)->Arg(2)->Arg(10)->Arg(30);
 BENCHMARK(values_at_roots)->Arg(20)->Arg(200)->Arg(500)->Unit(benchmark::kMillisecond);
 BENCHMARK(roots_of_chebyshev)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
 BENCHMARK(roots_of_pair)->Arg(20)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
