@@ -50,7 +50,7 @@ using Numbers = std::shared_ptr<DoubleArray>;
 template <class Source, class Work>
 Numbers filled(const Numbers& numbers, nb::handle progress, const std::shared_ptr<Source>& source,
                const std::shared_ptr<Parameters>& at, std::size_t grain, const Work& work) {
-  constexpr std::size_t few = 64;
+  constexpr std::size_t few = 256;
   if (at->size() <= few && progress.is_none() && source->is_prepared(*at))
     work(0, at->size());
   else

@@ -178,13 +178,17 @@ std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
 }
 
 Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
-  if (const auto t = near_parameter(at, k))
+  const auto t = near_parameter(at, k);
+  if (t)
     if (const auto found = approximated_frame(*t)) return *found;
-  const Place here = place(at, k);
-  if (const auto b = ball_at(here))
-    if (const auto found = rounded_frame(*b)) return *found;
-  const Frame<Real> exact = exact_frame(here);
-  return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
+  const auto found_anew = [&]() -> Frame<double> {
+    const Place here = place(at, k);
+    if (const auto b = ball_at(here))
+      if (const auto found = rounded_frame(*b)) return *found;
+    const Frame<Real> exact = exact_frame(here);
+    return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
+  };
+  return t ? last_frames_.of(*t, found_anew) : found_anew();
 }
 
 Frame<Real> FrameSource::exact_frame(const Place& at) const {

@@ -30,6 +30,38 @@ struct FrameQuery {
   friend bool operator==(const FrameQuery&, const FrameQuery&) = default;
 };
 
+/// The last few values that were asked for, by their keys. Any thread may ask.
+template <class Key, class Value>
+class LastFew {
+ public:
+  /// The one kept, or what `make` makes: without the lock, since it may let go of Python's, which
+  /// those who wait for ours would hold. Of two that are made at once the first is kept.
+  template <class Make>
+  Value of(const Key& key, const Make& make) {
+    if (auto known = kept(key)) return *std::move(known);
+    Value made = make();
+    const std::lock_guard guard(lock_);
+    if (auto known = find(key)) return *std::move(known);
+    constexpr std::size_t most = 4;
+    if (kept_.size() == most) kept_.pop_front();
+    return kept_.emplace_back(key, std::move(made)).second;
+  }
+
+ private:
+  std::optional<Value> kept(const Key& key) {
+    const std::lock_guard guard(lock_);
+    return find(key);
+  }
+  std::optional<Value> find(const Key& key) const {
+    for (const auto& [known, value] : kept_)
+      if (known == key) return value;
+    return std::nullopt;
+  }
+
+  std::mutex lock_;
+  std::deque<std::pair<Key, Value>> kept_;
+};
+
 /// The frames and points of a path, each as exactly as rounding wants, and the unit quaternions of
 /// the frames. Where t is asked for, a segment is compiled when that was often enough; what is
 /// found is kept for later calls, which may come from any thread.
@@ -84,40 +116,13 @@ class FrameSource {
   std::atomic<bool> is_made_{false};
   std::deque<Piece> pieces_;
   std::deque<CompiledFrames> compiled_;  ///< which do not move
+  /// The last few that were not compiled, such as those at the ends, which are asked for again and
+  /// again.
+  mutable LastFew<double, Frame<double>> last_frames_;
 };
 
-/// The last few sources of a path that were asked for, by what they are of. Any thread may ask.
-template <class Source, class Key>
-class LastSources {
- public:
-  /// The one kept, or what `make` makes: without the lock, since it may let go of Python's, which
-  /// those who wait for ours would hold. Of two that are made at once the first is kept.
-  template <class Make>
-  std::shared_ptr<Source> of(const Key& key, const Make& make) {
-    if (auto known = kept(key)) return known;
-    std::shared_ptr<Source> made = make();
-    const std::lock_guard guard(lock_);
-    if (auto known = find(key)) return known;
-    constexpr std::size_t most = 4;
-    if (kept_.size() == most) kept_.pop_front();
-    return kept_.emplace_back(key, std::move(made)).second;
-  }
-
- private:
-  std::shared_ptr<Source> kept(const Key& key) {
-    const std::lock_guard guard(lock_);
-    return find(key);
-  }
-  std::shared_ptr<Source> find(const Key& key) const {
-    for (const auto& [known, source] : kept_)
-      if (known == key) return source;
-    return nullptr;
-  }
-
-  std::mutex lock_;
-  std::deque<std::pair<Key, std::shared_ptr<Source>>> kept_;
-};
-using FrameSources = LastSources<FrameSource, FrameQuery>;
+/// Those of a path, by what they are of.
+using FrameSources = LastFew<FrameQuery, std::shared_ptr<FrameSource>>;
 
 /// A segment.
 struct FrameSource::Piece {
