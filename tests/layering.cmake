@@ -3,7 +3,7 @@
 #   - a file includes, as "phrame/<room>/<file>.hpp", only its own room and those below it;
 #   - what writes sees answers and values, and nothing that evaluates them;
 #   - only algebra/flint.hpp includes headers of FLINT and Arb, and those of polynomials in several unknowns
-#     algebra/flint_multivariate.hpp; only the first has #if;
+#     algebra/flint_multivariate.hpp; only the first has #if, and algebra/wide.hpp, which asks for the processor;
 #   - only algebra calls FLINT and Arb, names their types and asks ours for them by raw();
 #   - a header starts with #pragma once, and what src/phrame.hpp reaches needs no private dependency;
 #   - of the library python/src includes what src/phrame.hpp reaches, by that header, and of the insides what its
@@ -80,8 +80,8 @@ foreach(file IN LISTS files)
   endif()
 
   foreach(directive IN LISTS directives)
-    if(directive MATCHES "^#[ \t]*(if|el|endif)" AND NOT file STREQUAL algebra/flint.hpp)
-      violation("${directive}: only algebra/flint.hpp decides by preprocessor")
+    if(directive MATCHES "^#[ \t]*(if|el|endif)" AND NOT file MATCHES "^algebra/(flint|wide)\\.hpp$")
+      violation("${directive}: only algebra/flint.hpp and algebra/wide.hpp decide by preprocessor")
     endif()
     if(NOT directive MATCHES "^#[ \t]*include(.*)")
       continue()

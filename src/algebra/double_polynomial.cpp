@@ -89,24 +89,7 @@ BallPolynomial exact_polynomial(const std::vector<double>& coefficients, const D
 template <std::size_t width>
 std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
                                                      const DoubleShape& shape, double y) {
-  const double* a = coefficients;
-  std::array<double, width> s;
-  for (std::size_t i = 0; i < width; ++i) s[i] = a[i];
-  a += width;
-  for (long k = shape.degree - 1; k >= shape.paired; --k, a += width)
-    for (std::size_t i = 0; i < width; ++i) s[i] = s[i] * y + a[i];
-  const SplitFactor factor = split_factor(y);
-  std::array<double, width> c{};
-  for (long k = shape.paired - 1; k >= 0; --k, a += 2 * width)
-    for (std::size_t i = 0; i < width; ++i) {
-      const DoubleDouble product = two_product(split_factor(s[i]), factor);
-      const DoubleDouble sum = two_sum(product.high, a[i]);
-      s[i] = sum.high;
-      c[i] = c[i] * y + ((product.low + sum.low) + a[width + i]);
-    }
-  std::array<DoubleDouble, width> value;
-  for (std::size_t i = 0; i < width; ++i) value[i] = two_sum(s[i], c[i]);
-  return value;
+  return compensated_values<width>(coefficients, shape, std::array{y});
 }
 template std::array<DoubleDouble, 1> evaluate_compensated<1>(const double*, const DoubleShape&,
                                                              double);

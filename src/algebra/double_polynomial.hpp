@@ -42,6 +42,40 @@ template <std::size_t width>
 std::array<DoubleDouble, width> evaluate_compensated(const double* coefficients,
                                                      const DoubleShape& shape, double y);
 
+/// One step of it: s ← s·y + first, and what that is off by, and second, into c.
+template <class T>
+[[gnu::always_inline]] inline void compensated_step(T& s, T& c, const SplitFactor<T>& y,
+                                                    double first, double second) {
+  const SumOfTwo<T> product = two_product(split_factor(s), y);
+  const SumOfTwo<T> sum = two_sum(product.high, T{} + first);
+  s = sum.high;
+  c = c * y.value + ((product.low + sum.low) + second);
+}
+
+/// The same in T, double or Wide<n>, for several y: number k is the value of polynomial k % width
+/// at y[k / width].
+template <std::size_t width, class T, std::size_t count, std::size_t... k>
+[[gnu::always_inline]] inline std::array<SumOfTwo<T>, sizeof...(k)> compensated_values(
+    const double* coefficients, const DoubleShape& shape, const std::array<T, count>& y,
+    std::index_sequence<k...>) {
+  const double* a = coefficients;
+  T s[] = {T{} + a[k % width]...};
+  a += width;
+  for (long power = shape.degree - 1; power >= shape.paired; --power, a += width)
+    ((s[k] = s[k] * y[k / width] + a[k % width]), ...);
+  const SplitFactor<T> factors[] = {split_factor(y[k / width])...};
+  T c[sizeof...(k)] = {};
+  for (long power = shape.paired - 1; power >= 0; --power, a += 2 * width)
+    (compensated_step(s[k], c[k], factors[k], a[k % width], a[width + k % width]), ...);
+  return {two_sum(s[k], c[k])...};
+}
+template <std::size_t width, class T, std::size_t count>
+[[gnu::always_inline]] inline std::array<SumOfTwo<T>, width * count> compensated_values(
+    const double* coefficients, const DoubleShape& shape, const std::array<T, count>& y) {
+  return compensated_values<width>(coefficients, shape, y,
+                                   std::make_index_sequence<width * count>());
+}
+
 /// Their derivatives by y, by Horner's rule in doubles: off by at most slope_error·steepness().
 template <std::size_t width>
 std::array<double, width> evaluate_slope(const double* coefficients, const DoubleShape& shape,

@@ -182,6 +182,20 @@ void PiecewisePolynomial::fail_outside(double t, const char* what) const {
   throw DomainError(fmt::format("{}: t = {} is outside [{}, {}]", what, t, from(), to()));
 }
 
+void PiecewisePolynomial::require_inside(std::span<const double> t, std::size_t results,
+                                         const char* what) const {
+  if (results != t.size())
+    throw DomainError(
+        fmt::format("{}: there are {} results for {} values of t", what, results, t.size()));
+  // All first, which is done for several at once.
+  const double least = from();
+  const double greatest = to();
+  bool are_inside = true;
+  for (const double x : t) are_inside = are_inside & (least <= x) & (x <= greatest);
+  if (are_inside) return;
+  for (const double x : t) require_inside(x, what);
+}
+
 // Every t in cell k lies at or after an end e where the double before e is in a cell before k; and
 // before or at the greatest such end of cell k + 1, because t ≥ e implies that the cell of e is k
 // at most, and so is that of the double before e. (cell_of does not decrease.)

@@ -1,8 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "phrame/algebra/double_polynomial.hpp"
 
@@ -81,11 +83,17 @@ class PiecewisePolynomial {
   void require_inside(double t, const char* what) const {
     if (!(from() <= t && t <= to())) fail_outside(t, what);
   }
+  /// The same for each t, and where there are not so many results as t.
+  void require_inside(std::span<const double> t, std::size_t results, const char* what) const;
   /// The piece that t lies in. Precondition: from() ≤ t ≤ to().
-  const PolynomialPiece& at(double t) const {
+  const PolynomialPiece& at(double t) const { return pieces_[index_at(t)]; }
+  /// Its number.
+  std::size_t index_at(double t) const {
     const std::size_t cell = cell_of(t);
     std::size_t low = first_[cell];
     std::size_t high = first_[cell + 1];
+    // Of one or two pieces without a branch, which a processor could only guess.
+    if (high - low <= 1) return std::min(low + static_cast<std::size_t>(t >= ends_[low + 1]), high);
     while (low < high) {
       const std::size_t middle = (low + high + 1) / 2;
       if (t < ends_[middle])
@@ -93,13 +101,13 @@ class PiecewisePolynomial {
       else
         low = middle;
     }
-    return pieces_[low];
+    return low;
   }
 
  private:
   [[noreturn]] void fail_outside(double t, const char* what) const;
   std::size_t cell_of(double t) const {
-    return static_cast<std::size_t>((t - ends_.front()) * cells_per_unit_);
+    return static_cast<std::size_t>(static_cast<long>((t - ends_.front()) * cells_per_unit_));
   }
   void make_cells();
 

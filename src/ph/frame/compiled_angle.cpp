@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "phrame/algebra/rounded_values.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/frame/angle_polynomials.hpp"
 
@@ -36,6 +37,19 @@ double CompiledAngle::operator()(double t) {
   if (const auto found = rounded(t)) return *found;
   ++exact_values_;
   return round_to_double(angle_(exact_rational(t)));
+}
+
+std::vector<std::size_t> CompiledAngle::rounded(std::span<const double> t,
+                                                std::span<double> values) const {
+  polynomials_->require_inside(t, values.size(), "compiled angle");
+  return rounding_to_nearest([&] { return rounded_values(*polynomials_, t, values); });
+}
+
+void CompiledAngle::operator()(std::span<const double> t, std::span<double> values) {
+  for (const std::size_t k : rounded(t, values)) {
+    ++exact_values_;
+    values[k] = round_to_double(angle_(exact_rational(t[k])));
+  }
 }
 
 }  // namespace phrame

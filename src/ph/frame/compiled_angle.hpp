@@ -2,6 +2,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -29,6 +31,14 @@ class PHRAME_API CompiledAngle {
 
   /// The same where the polynomials are enough for that. Any thread may ask.
   std::optional<double> rounded(double t) const;
+
+  /// The same of many t, whatever their order, several at once by what the processor has for that.
+  /// The values may be t itself. Throws as for one of them, before anything is written, and
+  /// DomainError where there are not as many values as t.
+  void operator()(std::span<const double> t, std::span<double> values);
+  /// The same where the polynomials are enough for that. The numbers of the others, ascending;
+  /// their values are left as they are.
+  std::vector<std::size_t> rounded(std::span<const double> t, std::span<double> values) const;
 
   /// How many values took the exact angle so far.
   long exact_values() const { return exact_values_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/piece_groups.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
@@ -99,6 +100,77 @@ CompiledFrames::Zeros known_zeros(const PathAngle& angle, const Segment& segment
   return zeros;
 }
 
+/// Those of B i B*, B j B* and B k B*, one after the other.
+template <class T>
+[[gnu::always_inline]] inline std::array<SumOfTwo<T>, 9> components(
+    const Quaternion<SumOfTwo<T>>& b) {
+  const auto& [u, v, p, q] = b;
+  const SumOfTwo<T> uu = u * u, vv = v * v, pp = p * p, qq = q * q;
+  const SumOfTwo<T> uv = u * v, up = u * p, uq = u * q, vp = v * p, vq = v * q, pq = p * q;
+  return {uu + vv - pp - qq, twice(uq + vp), twice(vq - up), twice(vp - uq),   uu - vv + pp - qq,
+          twice(uv + pq),    twice(up + vq), twice(pq - uv), uu - vv - pp + qq};
+}
+
+/// What they are off by, where B is off by that: of a component, at most four products and three
+/// sums of them, which are off by about 2^−102.
+double component_error(double of_rotation) { return frame_error(of_rotation) + 0x1p-94; }
+
+/// Number k of them, rounded.
+double& component(Frame<double>& frame, std::size_t k) {
+  return (k < 3 ? frame.e1 : k < 6 ? frame.e2 : frame.e3)[k % 3];
+}
+
+/// The frames of a group.
+struct GroupFrames {
+  const PieceGroup& group;
+  const DoubleShape& shape;
+  const CompiledFrames::Zeros& zeros;
+  std::span<Frame<double>> frames;
+  std::vector<std::size_t>& untold;
+
+  template <class T>
+  [[gnu::always_inline]] void run() const {
+    const double error = component_error(group.piece.error);
+    for (std::size_t at = 0; at < group.t.size(); at += lanes<T>) {
+      std::array<T, 1> y;
+      group.load(at, y);
+      const auto b = compensated_values<4>(group.piece.coefficients.data(), shape, y);
+      store(at, components<T>({b[0], b[1], b[2], b[3]}), T{} + error,
+            std::make_index_sequence<9>());
+    }
+  }
+
+  template <class T, std::size_t... k>
+  [[gnu::always_inline]] void store(std::size_t at, const std::array<SumOfTwo<T>, 9>& x,
+                                    const T& error, std::index_sequence<k...>) const {
+    double rounded[9][lanes<T>];
+    auto are_told = error == error;
+    (round(x[k], error, zeros[k / 3][k % 3], rounded[k], are_told), ...);
+    const std::size_t some = std::min(lanes<T>, group.t.size() - at);
+    for (std::size_t i = 0; i < some; ++i)
+      frames[group.at[at + i]] = {{rounded[0][i], rounded[1][i], rounded[2][i]},
+                                  {rounded[3][i], rounded[4][i], rounded[5][i]},
+                                  {rounded[6][i], rounded[7][i], rounded[8][i]}};
+    if (!is_true(are_told)) note_untold(at, some, are_told);
+  }
+
+  template <class T, class Comparison>
+  [[gnu::always_inline]] static void round(const SumOfTwo<T>& x, const T& error, bool is_zero,
+                                           double* rounded, Comparison& are_told) {
+    const RoundedBounds<T> bounds = rounded_bounds(x, error);
+    const T value = is_zero ? T{} : bounds.least;
+    std::memcpy(rounded, &value, sizeof(T));
+    if (!is_zero) are_told &= bounds.least == bounds.most;
+  }
+
+  template <class Comparison>
+  [[gnu::always_inline]] void note_untold(std::size_t at, std::size_t some,
+                                          const Comparison& are_told) const {
+    for (std::size_t i = 0; i < some; ++i)
+      if (are_told[i] == 0) untold.push_back(group.at[at + i]);
+  }
+};
+
 }  // namespace
 
 CompiledFrames::CompiledFrames(const Curve& curve, const RmfAngle& angle, double from, double to,
@@ -174,11 +246,10 @@ CompiledFrames::Rotation CompiledFrames::rotation(double t) const {
 
 Frame<double> CompiledFrames::operator()(double t) const {
   return rounding_to_nearest([&]() -> Frame<double> {
-    const auto b = rotation(t).b;
-    const auto rounded = [](const Vector<DoubleDouble>& x) {
-      return Vector<double>{x[0].high + x[0].low, x[1].high + x[1].low, x[2].high + x[2].low};
-    };
-    return {rounded(rotated_i(b)), rounded(rotated_j(b)), rounded(rotated_k(b))};
+    const auto x = components(rotation(t).b);
+    Frame<double> frame;
+    for (std::size_t k = 0; k < x.size(); ++k) component(frame, k) = x[k].high + x[k].low;
+    return frame;
   });
 }
 
@@ -195,28 +266,40 @@ std::optional<Frame<double>> CompiledFrames::rounded(const NearNumber& t) const 
   });
 }
 
+const CompiledFrames::Zeros& CompiledFrames::zeros_at(double t) const {
+  return zeros_[zeros_.size() == 1 ? 0 : std::min(static_cast<std::size_t>(t), zeros_.size() - 1)];
+}
+
 std::optional<Frame<double>> CompiledFrames::near_frame(double t, const Rotation& at) const {
-  const auto& [b, off] = at;
-  const Zeros& zeros = zeros_.size() == 1
-                           ? zeros_[0]
-                           : zeros_[std::min(static_cast<std::size_t>(t), zeros_.size() - 1)];
-  // Of a component, at most four products and three sums of them, which are off by about 2^−102.
-  const double error = frame_error(off) + 0x1p-94;
-  bool is_certain = true;
-  const auto rounded = [&](const Vector<DoubleDouble>& x, const std::array<bool, 3>& is_zero) {
-    Vector<double> v{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_zero[k]) continue;
-      const auto common = common_double(x[k], error);
-      is_certain = is_certain && common;
-      v[k] = common.value_or(0);
-    }
-    return v;
-  };
-  const Frame<double> frame{rounded(rotated_i(b), zeros[0]), rounded(rotated_j(b), zeros[1]),
-                            rounded(rotated_k(b), zeros[2])};
-  if (!is_certain) return std::nullopt;
+  const Zeros& zeros = zeros_at(t);
+  const double error = component_error(at.error);
+  const auto x = components(at.b);
+  Frame<double> frame{};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (zeros[k / 3][k % 3]) continue;
+    const auto common = common_double(x[k], error);
+    if (!common) return std::nullopt;
+    component(frame, k) = *common;
+  }
   return frame;
+}
+
+std::vector<std::size_t> CompiledFrames::rounded(std::span<const double> t,
+                                                 std::span<Frame<double>> frames) const {
+  polynomials_->require_inside(t, frames.size(), "compiled frames");
+  return rounding_to_nearest([&] {
+    std::vector<std::size_t> untold;
+    for_each_group(*polynomials_, t, [&](const PieceGroup& group) {
+      run_wide(widest(),
+               GroupFrames{group, polynomials_->shape(), zeros_at(group.t[0]), frames, untold});
+    });
+    std::sort(untold.begin(), untold.end());
+    return untold;
+  });
+}
+
+void CompiledFrames::operator()(std::span<const double> t, std::span<Frame<double>> frames) const {
+  for (const std::size_t k : rounded(t, frames)) frames[k] = (*this)(t[k]);
 }
 
 }  // namespace phrame

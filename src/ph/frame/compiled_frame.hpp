@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "phrame/export.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -35,11 +37,19 @@ class PHRAME_API CompiledFrames {
   /// The frame at t, every component within 2^−53 of the true one. Throws DomainError for a t
   /// outside [from, to] and NaN.
   Frame<double> operator()(double t) const;
+  /// The frames at many t, whatever their order, several at once by what the processor has for
+  /// that. Each is rounded(t), where there is one. Throws as for one t, before anything is written,
+  /// and DomainError where there are not as many frames as t.
+  void operator()(std::span<const double> t, std::span<Frame<double>> frames) const;
 
   /// The frame at t with every component correctly rounded, to nearest with ties to even, where the
   /// polynomials are enough for that: all but about one in a million, but for components that are 0
   /// or nearly so. Those that are 0 everywhere, as on plane curves, are known. Throws as above.
   std::optional<Frame<double>> rounded(double t) const;
+  /// The same at many t as above. The numbers of those that have none, ascending; what their frames
+  /// are then is no matter.
+  std::vector<std::size_t> rounded(std::span<const double> t,
+                                   std::span<Frame<double>> frames) const;
   /// The same at a t that need not be a double; no value outside of [from, to].
   std::optional<Frame<double>> rounded(const NearNumber& t) const;
 
@@ -51,6 +61,8 @@ class PHRAME_API CompiledFrames {
   double to() const;    ///< where they end
 
  private:
+  /// Which components are 0 where t is.
+  const Zeros& zeros_at(double t) const;
   /// What rounded() gives at t.
   std::optional<Frame<double>> near_frame(double t, const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);

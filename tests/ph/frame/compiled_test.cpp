@@ -3,6 +3,7 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "phrame/algebra/error.hpp"
@@ -154,6 +155,62 @@ TEST_CASE("compiled angle and frame: law: on any interval, from any angle, to bo
   });
 }
 
+// What the functions of one t give is compared with the exact engine above.
+TEST_CASE("compiled angle and frame: law: arrays are what each t gives, in any order") {
+  const Curve plane({Polynomial{1, 1}, Polynomial{}, Polynomial{}, Polynomial{0, 2}});  // z = 0
+  for_samples(12, [&](Random& random) {
+    const Curve curve = random.chance(4)   ? plane
+                        : random.chance(3) ? named("deg-nearcusp")
+                                           : random.curve(3);
+    const RmfAngle angle(curve, Reference::euler_rodrigues);
+    std::vector<double> at = parameters(random, random.integer(2, 300));
+    if (random.chance(2)) std::sort(at.begin(), at.end());
+    std::vector<double> angles(at.size());
+    std::vector<Frame<double>> frames(at.size());
+    CompiledAngle theta(angle, 0, 1);
+    theta(at, angles);
+    std::vector<double> in_place = at;
+    theta(in_place, in_place);
+    CHECK(in_place == angles);
+    const CompiledFrames frame(curve, angle, 0, 1);
+    frame(at, frames);
+    const std::vector<std::size_t> untold = frame.rounded(at, frames);
+    frame(at, frames);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      CAPTURE(at[k]);
+      CHECK(angles[k] == theta(at[k]));
+      const auto rounded = frame.rounded(at[k]);
+      CHECK(rounded.has_value() == !std::binary_search(untold.begin(), untold.end(), k));
+      const Frame<double> one = rounded ? *rounded : frame(at[k]);
+      CHECK(frames[k].e1 == one.e1);
+      CHECK(frames[k].e2 == one.e2);
+      CHECK(frames[k].e3 == one.e3);
+    }
+  });
+}
+
+TEST_CASE("compiled angle and frame: arrays are refused whole") {
+  const RmfAngle angle(test::quintic, Reference::euler_rodrigues);
+  CompiledAngle theta(angle, 0, 1);
+  const CompiledFrames frame(test::quintic, angle, 0, 1);
+  std::vector<double> angles(3, 7);
+  std::vector<Frame<double>> frames(3, {{7}, {7}, {7}});
+  for (const double outside : {-0x1p-1074, std::nextafter(1, 2), std::nan("")}) {
+    const std::vector<double> at{0.25, 0.5, outside};
+    CHECK_THROWS_WITH_AS(theta(at, angles), doctest::Contains("outside [0, 1]"), DomainError);
+    CHECK_THROWS_WITH_AS(frame(at, frames), doctest::Contains("outside [0, 1]"), DomainError);
+    CHECK(angles == std::vector<double>(3, 7));
+    CHECK(frames[0].e1[0] == 7);
+  }
+  const std::vector<double> two{0.25, 0.5};
+  CHECK_THROWS_WITH_AS(theta(two, angles), doctest::Contains("3 results for 2 values"),
+                       DomainError);
+  CHECK_THROWS_WITH_AS(frame(two, frames), doctest::Contains("3 results for 2 values"),
+                       DomainError);
+  theta(std::span<const double>(), std::span<double>());
+  frame(std::span<const double>(), std::span<Frame<double>>());
+}
+
 // Half of the values were the neighbours of the right ones.
 TEST_CASE("compiled angle and frame: whatever the rounding mode is, of making and of asking") {
   Random random(11);
@@ -171,7 +228,10 @@ TEST_CASE("compiled angle and frame: whatever the rounding mode is, of making an
       const auto theta = angles.rounded(t);
       const auto theta_made = made.rounded(t);
       const auto frame = frames.rounded(t);
+      double in_array = 0;
+      angles.rounded(std::span(&t, 1), std::span(&in_array, 1));
       std::fesetround(FE_TONEAREST);
+      CHECK(in_array == theta.value_or(in_array));
       CHECK(theta == angles.rounded(t));
       CHECK(theta_made.value_or(*theta) == *theta);
       CHECK(frame.has_value() == frames.rounded(t).has_value());
