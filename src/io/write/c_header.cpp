@@ -55,6 +55,11 @@ constexpr const char* preamble =
  *   f2 = cos(theta) {second} + sin(theta) {third}, theta(0) = {start}.
 {normal} *   Its error is at most {P}_THETA_ERROR = {angle_error}.
  *
+ * void {p}_theta_array(const double *t, double *theta, size_t n)
+ *   theta[k] = {p}_theta(t[k]), to the last bit where nothing is fused; theta may be t. Fast for
+ *   ascending t, and wherever neighbours are near each other: then vector instructions are made of
+ *   it, by gcc with -O3.
+ *
 {frame_text} * For {from} <= t <= {to}; NaN for other t, and where doubles are not rounded to nearest.
  *
 {near} * C99, C11, or C++17 and later. The errors are proved, rounding included, for IEEE 754 doubles
@@ -65,7 +70,8 @@ constexpr const char* preamble =
 )"
     "#ifndef {p}_H\n"
     "#define {p}_H\n\n"
-    "#include <float.h>\n\n"
+    "#include <float.h>\n"
+    "#include <stddef.h>\n\n"
     "#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \\\n"
     "    FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64\n"
     "#error \"the errors are not proved where doubles are computed loosely, or with more digits\"\n"
@@ -87,6 +93,9 @@ constexpr const char* frame_text =
  *   The frame: f1 {tangent}, f2 as above, f3 = cos(theta) e3 - sin(theta) e2.
  *   The error of every component is at most {P}_FRAME_ERROR = {frame_error}.
  *
+ * void {p}_frame_array(const double *t, double *frames, size_t n)
+ *   The frames at t[0], t[1], ...: of each, nine numbers f1, f2, f3; fast as above.
+ *
 )";
 
 constexpr const char* find_function =
@@ -97,12 +106,18 @@ static inline int {p}_rounds_to_nearest(void)
   return 1 + tiny == 1 && 1 - tiny == 1;
 }}
 
+static inline int {p}_is_inside(double t)
+{{
+  return t >= {P}_FROM && t <= {P}_TO;
+}}
+
 static inline {number} {p}_find(double t, double cells_per_unit,
                                 const {index} *first, const double *ends)
 {{
   const {number} cell = ({number})((t - {P}_FROM) * cells_per_unit);
   {number} low = first[cell];
   {number} high = first[cell + 1];
+  if (high - low <= 1) return low + ({number})((low < high) & (t >= ends[high]));
   while (low < high) {{
     const {number} middle = (low + high + 1) / 2;
     if (t < ends[middle])
@@ -113,45 +128,132 @@ static inline {number} {p}_find(double t, double cells_per_unit,
   return low;
 }}
 
+/* Loops of so many turns are made of vector instructions by compilers. */
+enum {{ {p}_block = 16 }};
+
+/* How many of t[0], t[1], ..., of so many, a block at most, are between low and high, as t[0] is?
+ * By one comparison: where t are in disorder, each of two would go either way. */
+static inline size_t {p}_run(const double *t, size_t many, double low, double high)
+{{
+  size_t k = 1;
+  while (k < many && k < {p}_block && (t[k] - low) * (high - t[k]) > 0) ++k;
+  return k;
+}}
+
+/* Polynomial number j of so many in a row of the table, at a block of t in its piece. */
+static inline void {p}_horner(const double *c, int j, int polynomials, const double *t, double *s)
+{{
+  double y[{p}_block], sum[{p}_block];
+  for (int k = 0; k < {p}_block; ++k) {{
+    y[k] = (t[k] - c[0]) * c[1];
+    sum[k] = c[2 + j];
+  }}
+  c += 2 + j;
+  for (int m = 1; m < {degree}; ++m)
+    for (int k = 0; k < {p}_block; ++k) sum[k] = sum[k] * y[k] + c[m * polynomials];
+  const double first = c[{degree} * polynomials], second = c[({degree} + 1) * polynomials];
+  for (int k = 0; k < {p}_block; ++k) s[k] = first + (second + sum[k] * y[k]);
+}}
+
 )";
 
-constexpr const char* theta_function = R"(static inline double {p}_theta(double t)
+constexpr const char* theta_function =
+    R"(static inline double {p}_theta_by(const double *c, double t)
 {{
-  if (!(t >= {P}_FROM && t <= {P}_TO && {p}_rounds_to_nearest())) return (t - t) / (t - t);
-  const double *c = {p}_theta_rows[{p}_find(t, {cells}, {p}_theta_first, {p}_theta_ends)];
   const double y = (t - c[0]) * c[1];
   double s = c[2];
   for (int k = 3; k < {constant}; ++k) s = s * y + c[k];
   return c[{constant}] + (c[{constant} + 1] + s * y);
 }}
 
+static inline double {p}_theta(double t)
+{{
+  if (!({p}_is_inside(t) && {p}_rounds_to_nearest())) return (t - t) / (t - t);
+  return {p}_theta_by({p}_theta_rows[{p}_find(t, {cells}, {p}_theta_first, {p}_theta_ends)], t);
+}}
+
+static inline void {p}_theta_array(const double *t, double *theta, size_t n)
+{{
+  const int is_nearest = {p}_rounds_to_nearest();
+  for (size_t k = 0, size; k < n; k += size) {{
+    size = 1;
+    if (!(is_nearest && {p}_is_inside(t[k]))) {{
+      theta[k] = (t[k] - t[k]) / (t[k] - t[k]);
+      continue;
+    }}
+    const {number} i = {p}_find(t[k], {cells}, {p}_theta_first, {p}_theta_ends);
+    const double *c = {p}_theta_rows[i];
+    size = {p}_run(t + k, n - k, {p}_theta_ends[i], {p}_theta_ends[i + 1]);
+    if (size == {p}_block) {{
+      double s[{p}_block];
+      {p}_horner(c, 0, 1, t + k, s);
+      for (size_t m = 0; m < {p}_block; ++m) theta[k + m] = s[m];
+    }} else {{
+      for (size_t m = k; m < k + size; ++m) theta[m] = {p}_theta_by(c, t[m]);
+    }}
+  }}
+}}
+
 )";
 
 constexpr const char* frame_function =
-    R"(static inline void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
+    R"(/* Of the unit quaternion b of the rotation. */
+static inline void {p}_rotate(double u, double v, double p, double q, double f1[3], double f2[3], double f3[3])
 {{
-  if (!(t >= {P}_FROM && t <= {P}_TO && {p}_rounds_to_nearest())) {{
-    for (int k = 0; k < 3; ++k) f1[k] = f2[k] = f3[k] = (t - t) / (t - t);
-    return;
-  }}
-  /* The unit quaternion b of the rotation. */
-  const double *c = {p}_frame_rows[{p}_find(t, {cells}, {p}_frame_first, {p}_frame_ends)];
+  const double uu = u * u, vv = v * v, pp = p * p, qq = q * q;
+  f1[0] = uu + vv - pp - qq;
+  f1[1] = 2 * (u * q + v * p);
+  f1[2] = 2 * (v * q - u * p);
+  f2[0] = 2 * (v * p - u * q);
+  f2[1] = uu - vv + pp - qq;
+  f2[2] = 2 * (u * v + p * q);
+  f3[0] = 2 * (u * p + v * q);
+  f3[1] = 2 * (p * q - u * v);
+  f3[2] = uu - vv - pp + qq;
+}}
+
+static inline void {p}_frame_by(const double *c, double t, double f1[3], double f2[3], double f3[3])
+{{
   const double y = (t - c[0]) * c[1];
   double b[4];
   for (int k = 0; k < 4; ++k) b[k] = c[2 + k];
   for (int j = 6; j < {constant}; j += 4)
     for (int k = 0; k < 4; ++k) b[k] = b[k] * y + c[j + k];
   for (int k = 0; k < 4; ++k) b[k] = c[{constant} + k] + (c[{constant} + 4 + k] + b[k] * y);
-  const double uu = b[0] * b[0], vv = b[1] * b[1], pp = b[2] * b[2], qq = b[3] * b[3];
-  f1[0] = uu + vv - pp - qq;
-  f1[1] = 2 * (b[0] * b[3] + b[1] * b[2]);
-  f1[2] = 2 * (b[1] * b[3] - b[0] * b[2]);
-  f2[0] = 2 * (b[1] * b[2] - b[0] * b[3]);
-  f2[1] = uu - vv + pp - qq;
-  f2[2] = 2 * (b[0] * b[1] + b[2] * b[3]);
-  f3[0] = 2 * (b[0] * b[2] + b[1] * b[3]);
-  f3[1] = 2 * (b[2] * b[3] - b[0] * b[1]);
-  f3[2] = uu - vv - pp + qq;
+  {p}_rotate(b[0], b[1], b[2], b[3], f1, f2, f3);
+}}
+
+static inline void {p}_frame(double t, double f1[3], double f2[3], double f3[3])
+{{
+  if (!({p}_is_inside(t) && {p}_rounds_to_nearest())) {{
+    for (int k = 0; k < 3; ++k) f1[k] = f2[k] = f3[k] = (t - t) / (t - t);
+    return;
+  }}
+  {p}_frame_by({p}_frame_rows[{p}_find(t, {cells}, {p}_frame_first, {p}_frame_ends)], t, f1, f2, f3);
+}}
+
+static inline void {p}_frame_array(const double *t, double *frames, size_t n)
+{{
+  const int is_nearest = {p}_rounds_to_nearest();
+  for (size_t k = 0, size; k < n; k += size) {{
+    double *to = frames + 9 * k;
+    size = 1;
+    if (!(is_nearest && {p}_is_inside(t[k]))) {{
+      for (int i = 0; i < 9; ++i) to[i] = (t[k] - t[k]) / (t[k] - t[k]);
+      continue;
+    }}
+    const {number} i = {p}_find(t[k], {cells}, {p}_frame_first, {p}_frame_ends);
+    const double *c = {p}_frame_rows[i];
+    size = {p}_run(t + k, n - k, {p}_frame_ends[i], {p}_frame_ends[i + 1]);
+    if (size == {p}_block) {{
+      double b[4][{p}_block];
+      for (int j = 0; j < 4; ++j) {p}_horner(c, j, 4, t + k, b[j]);
+      for (int m = 0; m < {p}_block; ++m, to += 9)
+        {p}_rotate(b[0][m], b[1][m], b[2][m], b[3][m], to, to + 3, to + 6);
+    }} else {{
+      for (size_t m = k; m < k + size; ++m, to += 9) {p}_frame_by(c, t[m], to, to + 3, to + 6);
+    }}
+  }}
 }}
 
 )";
@@ -245,7 +347,7 @@ std::string to_c_header(const CompiledAnswer& header, const std::string& prefix)
     return fmt::format(fmt::runtime(text), arg("p", p), arg("P", upper), arg("index", index),
                        arg("number", number),
                        arg("cells", fmt::format("{:a}", table.cells_per_unit())),
-                       arg("constant", constant));
+                       arg("constant", constant), arg("degree", table.shape().degree));
   };
   std::string about_frame, define_frame;
   if (header.rotation) {
