@@ -43,8 +43,9 @@ struct SourcePlace {
   const FrameSource& source;
   const Parameters& at;
   std::size_t k;
+  const Frame<double>* found;  ///< its frame, where that is known
 
-  Frame<double> frame() const { return source.frame(at, k); }
+  Frame<double> frame() const { return found != nullptr ? *found : source.frame(at, k); }
   Vector<double> point() const { return source.point(at, k); }
   std::array<double, 4> quaternion() const { return source.quaternion(at, k); }
 };
@@ -90,9 +91,14 @@ Numbers numbers_of(const PathObject& self, const At& at, const ArrayQuery& asked
   const auto numbers = std::make_shared<DoubleArray>(at->size() * asked.width);
   return filled(
       numbers, asked.progress, source, at, at->are_doubles() && is_by_t ? many : 4,
-      [source, at, numbers, width = asked.width, write](std::size_t begin, std::size_t end) {
+      [source, at, numbers, width = asked.width, has_frames = asked.kind.has_value(), write](
+          std::size_t begin, std::size_t end) {
+        constexpr std::size_t of_frame = 9;  // and more of a matrix
+        std::vector<Frame<double>> frames(has_frames && width >= of_frame ? end - begin : 0);
+        source->frames(*at, begin, frames);
         for (std::size_t k = begin; k < end; ++k)
-          write(SourcePlace{*source, *at, k}, numbers->data() + k * width);
+          write(SourcePlace{*source, *at, k, frames.empty() ? nullptr : &frames[k - begin]},
+                numbers->data() + k * width);
       });
 }
 
@@ -290,11 +296,22 @@ CompiledAngles compiled_angles(const PathAngle& angle, const StartAngle& start,
   return compiled;
 }
 
-std::optional<double> approximated(const CompiledAngles& compiled, const Parameters& at,
-                                   std::size_t k) {
-  if (!at.are_doubles()) return std::nullopt;
-  const auto& segment = compiled[place_at(at.doubles[k], compiled.size()).first];
-  return segment ? segment->rounded(at.doubles[k]) : std::nullopt;
+/// θ at each t from number `from` to before `to`, many at once where segments are compiled. The
+/// numbers of those that these do not tell are added to untold.
+void approximate(const CompiledAngles& compiled, const std::vector<double>& t, std::size_t from,
+                 std::size_t to, DoubleArray& numbers, std::vector<std::size_t>& untold) {
+  const auto segment = [&](std::size_t k) { return place_at(t[k], compiled.size()).first; };
+  for (std::size_t end = from; from < to; from = end) {
+    const auto& of_run = compiled[segment(from)];
+    do ++end;
+    while (end < to && &compiled[segment(end)] == &of_run);
+    if (of_run)
+      for (const std::size_t k :
+           of_run->rounded({t.data() + from, end - from}, {numbers.data() + from, end - from}))
+        untold.push_back(from + k);
+    else
+      for (std::size_t k = from; k < end; ++k) untold.push_back(k);
+  }
 }
 
 }  // namespace
@@ -336,10 +353,13 @@ nb::object angles(const NamedPath& named, const PathAngle& angle, const StartAng
            },
        .work =
            [=](std::size_t from, std::size_t to) {
-             for (std::size_t k = from; k < to; ++k) {
-               const auto near = approximated(*compiled, *at, k);
-               (*numbers)[k] = near ? *near : finite(round_to_double(angle.value((*at)[k], start)));
-             }
+             std::vector<std::size_t> untold;
+             if (at->are_doubles())
+               approximate(*compiled, at->doubles, from, to, *numbers, untold);
+             else
+               for (std::size_t k = from; k < to; ++k) untold.push_back(k);
+             for (const std::size_t k : untold)
+               (*numbers)[k] = finite(round_to_double(angle.value((*at)[k], start)));
            }},
       progress);
   return array(numbers, {at->size()});

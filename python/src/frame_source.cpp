@@ -191,6 +191,30 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
   return t ? last_frames_.of(*t, found_anew) : found_anew();
 }
 
+void FrameSource::frames(const Parameters& at, std::size_t begin,
+                         std::span<Frame<double>> found) const {
+  const std::size_t end = begin + found.size();
+  // Frenet's normal has a side of its own at each t.
+  const bool are_compiled =
+      at.are_doubles() && along_.kind() == ParameterKind::t && kind_ != TabulatedFrame::frenet;
+  const auto compiled = [&](std::size_t k) {
+    const double t = at.doubles[k];
+    return compiled_at(t, pieces_[place_at(t, pieces_.size()).first]);
+  };
+  for (std::size_t from = begin, to = begin; from < end; from = to) {
+    const CompiledFrames* of_run = are_compiled ? compiled(from) : nullptr;
+    do ++to;
+    while (to < end && of_run != nullptr && compiled(to) == of_run);
+    if (of_run == nullptr) {
+      found[from - begin] = frame(at, from);
+      continue;
+    }
+    const std::span run = found.subspan(from - begin, to - from);
+    for (const std::size_t k : of_run->rounded({at.doubles.data() + from, run.size()}, run))
+      run[k] = frame(at, from + k);
+  }
+}
+
 Frame<Real> FrameSource::exact_frame(const Place& at) const {
   if (kind_ == TabulatedFrame::rmf) return rotation_minimizing_frame(*angle_, at, start_);
   if (kind_ == TabulatedFrame::frenet) return frenet_frame(path(), at);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "parameters.hpp"
@@ -79,6 +80,9 @@ class FrameSource {
   bool is_prepared(const Parameters& at) const;
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
+  /// Those from number `begin` on, as many as there is room for: many at once where they are
+  /// compiled.
+  void frames(const Parameters& at, std::size_t begin, std::span<Frame<double>> found) const;
   /// (x, y, z, w), up to its sign but for rotation-minimizing and Euler–Rodrigues frames of PH
   /// curves.
   std::array<double, 4> quaternion(const Parameters& at, std::size_t k) const;
