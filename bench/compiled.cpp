@@ -26,6 +26,19 @@ std::vector<double> random_parameters() {
   return at;
 }
 
+/// f(t, values) for so many t at once, random ones, and ascending where range(1) is 1; per value.
+template <class Value, class F>
+void arrays(State& state, F f) {
+  std::vector<double> at = random_parameters();
+  if (state.range(1) == 1) std::sort(at.begin(), at.end());
+  std::vector<Value> found(at.size());
+  for (auto _ : state) {
+    f(at, found);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(at.size()));
+}
+
 /// f(t) for random t.
 template <class F>
 void values(State& state, F f) {
@@ -74,6 +87,31 @@ void compiled_frame(State& state) {
   RmfAngle angle(curve, Reference::euler_rodrigues);
   const CompiledFrames compiled(curve, angle, 0, 1);
   values(state, [&](double t) { return compiled(t); });
+}
+
+void compiled_angle_array(State& state) {
+  RmfAngle angle(random_curve(state.range(0)), Reference::euler_rodrigues);
+  CompiledAngle compiled(angle, 0, 1);
+  arrays<double>(state, compiled);
+}
+/// Every component within 2^−53, and correctly rounded but for some in a million.
+void compiled_frame_array(State& state) {
+  const Curve curve = random_curve(state.range(0));
+  RmfAngle angle(curve, Reference::euler_rodrigues);
+  arrays<Frame<double>>(state, CompiledFrames(curve, angle, 0, 1));
+}
+
+/// Of the quintic, whatever range(0).
+void header_angle_array(State& state) {
+  arrays<double>(state, [](const std::vector<double>& t, std::vector<double>& theta) {
+    quintic_theta_array(t.data(), theta.data(), t.size());
+  });
+}
+void header_frame_array(State& state) {
+  arrays<Frame<double>>(state,
+                        [](const std::vector<double>& t, std::vector<Frame<double>>& frames) {
+                          quintic_frame_array(t.data(), frames.front().e1.data(), t.size());
+                        });
 }
 
 void header_angle(State& state) { values(state, quintic_theta); }
@@ -252,6 +290,10 @@ BENCHMARK(compile_spline)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(compiled_angle)->Apply(all_m);
 BENCHMARK(compiled_frame)->Apply(all_m);
+BENCHMARK(compiled_angle_array)->ArgNames({"m", "ascending"})->ArgsProduct({{2, 40}, {0, 1}});
+BENCHMARK(compiled_frame_array)->ArgNames({"m", "ascending"})->ArgsProduct({{2, 40}, {0, 1}});
+BENCHMARK(header_angle_array)->ArgNames({"m", "ascending"})->ArgsProduct({{2}, {0, 1}});
+BENCHMARK(header_frame_array)->ArgNames({"m", "ascending"})->ArgsProduct({{2}, {0, 1}});
 BENCHMARK(header_angle);
 BENCHMARK(header_frame);
 BENCHMARK(steps_by_double_reflection)->Apply(all_steps);
