@@ -188,6 +188,8 @@ def beside(program):
     program.run("construct", thousand, "-o", ph)
     frames = program.folder / "frames.csv"
     program.run("frames", quintic, "--samples", 100_001, "-o", frames)
+    noisy = program.folder / "noisy.csv"  # to six decimals
+    noisy.write_text("".join(line if line[0] == "t" else ",".join(f"{float(x):.6f}" for x in line.split(",")) + "\n" for line in open(frames)))
     quartic = program.file("quartic.json", {"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 0], [3, 1, 1], [2, -1, 2], [4, 0, 1]]})
 
     def forms(m):
@@ -200,6 +202,7 @@ def beside(program):
         ("`frames`, 10⁶ rows as CSV", ("frames", quintic, "--samples", 1_000_001), "`numpy.savetxt` of as many numbers", numpy and (lambda: by_savetxt(1_000_001))),
         ("`frames --by arc-length`, 10⁵ rows", (*by_t, "--by", "arc-length"), "the same by t", by_t),
         ("`check` of 10⁵ rows", ("check", quintic, frames), "`frames` writes them", by_t),
+        ("the same, to six decimals", ("check", quintic, noisy, "--tol", "1e-5"), "`frames` writes them", by_t),
         ("`frames` of a knot by formulas, 10⁵ rows", ("frames", KNOT, "--samples", 100_001), "of a quintic", by_t),
         ("`frames` of 11 rows, symmetric, degree 61", ("frames", program.file("s60.json", symmetric(30)), "--samples", 11), "a random curve",
          ("frames", program.file("r60.json", random_curve(30)), "--samples", 11)),

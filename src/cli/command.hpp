@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -251,6 +253,16 @@ void require_polynomial(const std::vector<Curve>& segments, const std::string& f
 
 /// The whole of a file, "-" being standard input. Throws InputError.
 std::string read_file(const std::string& path);
+
+/// A file that is read in pieces.
+struct PiecewiseFile {
+  std::uint64_t size;
+  /// The bytes from some place on: so many, or those that there are.
+  std::function<std::string(std::uint64_t from, std::size_t count)> read;
+};
+/// No value for standard input, for what is no file that can be read anywhere, or larger than
+/// read_file() reads, and in an Exchange.
+std::optional<PiecewiseFile> file_in_pieces(const std::string& path);
 
 /// Writes all or nothing: a file is written beside its place and renamed. "-" is standard output.
 /// Throws InputError.

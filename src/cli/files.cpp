@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <system_error>
 
@@ -85,6 +86,24 @@ std::string read_file(const std::string& path) {
   }
   if (std::ferror(file) != 0) fail_with_errno(name_of_file(path), "cannot be read");
   return text;
+}
+
+std::optional<PiecewiseFile> file_in_pieces(const std::string& path) {
+  std::error_code error;
+  if (Exchange::current() != nullptr || path == "-" ||
+      !std::filesystem::is_regular_file(path, error))
+    return std::nullopt;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (error || size > max_file_size || !*file) return std::nullopt;
+  return PiecewiseFile{size, [file](std::uint64_t from, std::size_t count) {
+                         std::string bytes(count, '\0');
+                         file->clear();
+                         file->seekg(static_cast<std::streamoff>(from));
+                         file->read(bytes.data(), static_cast<std::streamsize>(count));
+                         bytes.resize(static_cast<std::size_t>(file->gcount()));
+                         return bytes;
+                       }};
 }
 
 struct Output::State {

@@ -34,7 +34,8 @@ std::optional<FrameParameters> parameters_on(const NamedPath& named, const Given
     found.what.clear();  // as was asked for
     return found;
   }
-  if (table.has_parameters && !has_places(table, named.path))
+  const bool may_be_others = table.has_parameters && table.frames.size() <= most_guessed_frames;
+  if (may_be_others && !has_places(table, named.path))
     if (auto found = better_parameters(named, table.frames)) {
       found->what = "t is taken for " + found->what;
       return found;

@@ -46,11 +46,14 @@ std::optional<FrameVerdict> verdict_of(const CheckAnswer& found,
 
 }  // namespace
 
+bool is_read_right(const CheckAnswer& found, const GivenTable& table) {
+  const bool has_tangents = table.frames.front().tangent.has_value();
+  return found.verdict.passes || (has_tangents && has_right_tangents(found.verdict));
+}
+
 std::optional<BetterReading> better_reading(const CheckAnswer& found, std::string_view bytes,
                                             const FrameReading& reading, const GivenTable& table) {
-  const bool has_tangents = table.frames.front().tangent.has_value();
-  if (found.verdict.passes || (has_tangents && has_right_tangents(found.verdict)))
-    return std::nullopt;
+  if (is_read_right(found, table)) return std::nullopt;
   std::optional<BetterReading> better;
   for (const FrameReading& other : other_readings(table, reading)) {
     if (!are_along_few(found, bytes, other) || hides_vectors(found, bytes, table, other)) continue;

@@ -10,6 +10,9 @@ struct BetterReading {
   bool passes;  ///< the frames pass by it; else their tangents are right, at least
 };
 
+/// Do the frames pass, or are their tangents given and right? Then no other reading is looked for.
+bool is_read_right(const CheckAnswer& found, const GivenTable& table);
+
 /// Of the other_readings(), the first by which the frames pass; where it takes for positions what
 /// `reading` took for vectors, they are to be the curve's, as are_on_curve() tells with the
 /// tolerance, but 1/100 at most: else what is wrong with a vector would be out of sight. If there

@@ -213,8 +213,7 @@ FrameParameters parameters_by(ParameterKind kind, const NamedPath& named,
 
 std::optional<FrameParameters> better_parameters(const NamedPath& named,
                                                  const std::vector<GivenFrame>& frames) {
-  constexpr std::size_t most_frames = 20'000;
-  if (frames.size() > most_frames) return std::nullopt;
+  if (frames.size() > most_guessed_frames) return std::nullopt;
   const Path& path = named.path;
   const std::vector<GivenFrame> few = some_of(frames);
   const auto as_they_are = try_parameters(ParameterKind::t, named, few);

@@ -21,11 +21,12 @@ FrameParameters frame_parameters(const Path& path, const std::vector<GivenPositi
 FrameParameters parameters_by(ParameterKind kind, const NamedPath& named,
                               const std::vector<GivenFrame>& frames);
 
+inline constexpr std::size_t most_guessed_frames = 20'000;
 /// Where the frames, at their t, are not the path's, by their tangents, f₂ × f₃ or f₂ alone, and
 /// are by one of the other kinds to within 10⁻⁶; or, where they are no better than 1/5 at their t,
 /// by arc lengths or shares of it with tangents within 1/5, and where the tangents of the path next
 /// to there are those of the frames to within 10⁻⁶. No value where they are the path's as they are,
-/// where no kind fits, and for more than 20 000 frames.
+/// where no kind fits, and for more than most_guessed_frames.
 std::optional<FrameParameters> better_parameters(const NamedPath& named,
                                                  const std::vector<GivenFrame>& frames);
 

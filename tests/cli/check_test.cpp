@@ -54,6 +54,24 @@ TEST_CASE("check: matrices are placed by their positions, and another tangent ax
   check_failure(here.run("check circle.json away.txt"), 2, "a column t is wanted");
 }
 
+// What is on standard input is read as a whole.
+TEST_CASE("check: of a long file the rows that decide are judged, and the report is that of all") {
+  const Workshop here;
+  const std::string table = here.run("frames quintic.json --samples 361").out;
+  here.write("long.csv", table);
+  for (const std::string options : {"", " --tol 15e-17", " --theta0 pi/7"}) {
+    CAPTURE(options);
+    const Run few = here.run("check quintic.json long.csv --by t" + options);
+    const Run all = here.run("check quintic.json - --by t" + options, table);
+    CHECK(contains(few.out, "361 frames, t from 0 to 1"));
+    CHECK(few.out == all.out);
+    CHECK(few.err == all.err);
+    CHECK(few.status == all.status);
+  }
+  here.write("bad.csv", table + "1,0,0,0,1,0,0,0,zero,0,0,0,1\n");
+  check_failure(here.run("check quintic.json bad.csv --by t"), 2, "bad.csv:line 363, f2y: ");
+}
+
 TEST_CASE("check: bad input is refused with its place") {
   const Workshop here;
   here.write("bad.csv", "t,f2x,f2y,f2z\n0,1,zero,0\n");

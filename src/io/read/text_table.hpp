@@ -25,6 +25,7 @@ class TextTable : public NumberTable {
     return names_.empty() ? rows_.front().fields.size() : names_.size();
   }
   std::string place(std::size_t row) const override;
+  char separator() const { return separator_; }  ///< a blank for any number of blanks and tabs
   /// Is there an empty line between the row and the one before?
   bool is_after_gap(std::size_t row) const { return rows_[row].is_after_gap; }
   using NumberTable::number;

@@ -119,13 +119,21 @@ std::string sentence(const FrameFinding& finding) {
   return "";
 }
 
-/// " at sample 3, t = 1/2", " at all samples", " at samples 3, 5, the first at t = 1/2"; of many,
-/// abridged, " at 12 samples, the first is 3, t = 1/2 …".
-std::string places(const FrameFinding& finding, const std::vector<GivenFrame>& frames) {
-  const auto& samples = finding.samples;
+/// So many the table has.
+std::size_t count_of(const std::vector<GivenFrame>& frames, const TableReading& reading) {
+  return reading.part ? reading.part->rows : frames.size();
+}
+
+/// The number of one of the frames in the table.
+std::size_t number_of(std::size_t frame, const TableReading& reading) {
+  return reading.part ? reading.part->numbers.at(frame) : frame;
+}
+
+/// t is that of the first: " at sample 3, t = 1/2", " at all samples", " at samples 3, 5, the first
+/// at t = 1/2"; of many, abridged, " at 12 samples, the first is 3, t = 1/2 …".
+std::string places(const std::vector<std::size_t>& samples, std::size_t count, const Rational& t) {
   if (samples.empty()) return "";
-  if (samples.size() == frames.size()) return " at all samples";
-  const Rational& t = frames[samples[0]].t;
+  if (samples.size() == count) return " at all samples";
   if (samples.size() == 1) return fmt::format(" at sample {}, t = {}", samples[0], brief(t));
   const auto all = [&](const std::string& first) {
     return fmt::format(" at samples {}, the first at t = {}", fmt::join(samples, ", "), first);
@@ -158,10 +166,10 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
                           [](const GivenFrame& a, const GivenFrame& b) { return a.t < b.t; });
   std::string text = name_prefix(answer.path.name);
   const std::string from = brief_parameter(first->t, reading);
-  text += first->t == last->t
-              ? fmt::format("{}, t = {}\n\n", counted(answer.frames.size(), "frame"), from)
-              : fmt::format("{} frames, t from {} to {}\n\n", answer.frames.size(), from,
-                            brief_parameter(last->t, reading));
+  const std::size_t count = count_of(answer.frames, reading);
+  text += first->t == last->t ? fmt::format("{}, t = {}\n\n", counted(count, "frame"), from)
+                              : fmt::format("{} frames, t from {} to {}\n\n", count, from,
+                                            brief_parameter(last->t, reading));
   text += summary(answer) + "\n\n";
   const auto row = [&](std::string_view label, const std::string& value) {
     text += phrame::row(label, value, 15);
@@ -169,7 +177,8 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
   const auto& worst = answer.frames[v.worst_sample];
   row("largest error",
       fmt::format("between {} and {} radians, at sample {}, t = {}", lower(v.max_error),
-                  upper(v.max_error), v.worst_sample, brief_parameter(worst.t, reading)));
+                  upper(v.max_error), number_of(v.worst_sample, reading),
+                  brief_parameter(worst.t, reading)));
   if (v.drift)
     row("drift", shown(*v.drift) + " radians per unit of arc length, from first to last");
   row("orthogonality", "cosines up to " + upper(v.orthogonality, 2));
@@ -183,8 +192,11 @@ std::string to_text(const CheckAnswer& answer, const TableReading& reading) {
                                         : ""));
   if (!reading.parameters.empty()) text += fmt::format("\n  {}\n", reading.parameters);
   if (!v.findings.empty()) text += "\nFindings\n";
-  for (const FrameFinding& finding : v.findings)
-    text += fmt::format("  - {}{}\n", sentence(finding), places(finding, answer.frames));
+  for (std::size_t k = 0; k < v.findings.size(); ++k) {
+    const auto& samples = reading.part ? reading.part->samples.at(k) : v.findings[k].samples;
+    const Rational t = samples.empty() ? 0 : answer.frames[v.findings[k].samples[0]].t;
+    text += fmt::format("  - {}{}\n", sentence(v.findings[k]), places(samples, count, t));
+  }
   if (reading.better)
     text += fmt::format("\n{}: {}.\n",
                         reading.better->passes ? "It passes by another reading of the table"
