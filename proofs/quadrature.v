@@ -77,15 +77,15 @@ Fixpoint integral (depth terms : nat) (unit : Z) (a b : poly) : option (Z * Z) :
       end
   end.
 
-(* Whether b > 0 on [0, 1]. *)
+(* Whether b > 0 on [0, 1]. (Of || and && Coq computes both sides.) *)
 Fixpoint is_positive (depth : nat) (b : poly) : bool :=
   let b1 := fst (stretched 1 2 b) in
   let b2 := shifted b1 in
   match b2 with
   | [] => false
   | b0 :: b' =>
-      (size b' <? b0)%Z ||
-      match depth with O => false | S depth => is_positive depth b1 && is_positive depth b2 end
+      if (size b' <? b0)%Z then true
+      else match depth with O => false | S depth => if is_positive depth b1 then is_positive depth b2 else false end
   end.
 
 (* ---- Its proof *)
@@ -401,7 +401,7 @@ Proof.
     apply tail_positive; [exact S | lra]. }
   induction depth as [| depth IH]; intros b H; cbn [is_positive] in H;
     destruct (shifted _) as [| b0 b'] eqn:E; try discriminate;
-    destruct (Z.ltb_spec (size b') b0) as [S |]; try exact (M b b0 b' E S); simpl in H; try discriminate.
-  apply andb_true_iff in H as [H1 H2]; rewrite <- E in H2.
-  apply positive_of_halves; [apply IH, H1 | apply IH, H2].
+    destruct (Z.ltb_spec (size b') b0) as [S |]; try exact (M b b0 b' E S); try discriminate.
+  destruct (is_positive depth (fst (stretched 1 2 b))) eqn:H1 in H; [| discriminate]; rewrite <- E in H.
+  apply positive_of_halves; [apply IH, H1 | apply IH, H].
 Qed.

@@ -171,13 +171,15 @@ Definition integral_shows (depth terms : nat) (unit : positive) (n d : poly) (l 
 Definition check_angle (depth : nat) (A0 : curve) (n d : poly) (l : claim) :=
   let a := Qnum (time l) in
   let b := Zpos (Qden (time l)) in
-  is_positive depth (fst (stretched a b (isigma A0))) &&
-  (((a =? 0)%Z || is_zero (ih A0 (derived_curve A0))) && within_radius l 0 0 ||
-   let n := times a (fst (stretched a b n)) in
-   let d := times b (fst (stretched a b d)) in
-   let bits := (Z.log2_up (Zpos (Qden (radius l)) / Qnum (radius l)) + 16)%Z in
-   let shows bits := integral_shows depth (length d * Z.to_nat bits) (Z.to_pos (2 ^ bits)) n d l in
-   shows bits || shows (bits + 240)%Z).
+  if is_positive depth (fst (stretched a b (isigma A0))) then
+    if (a =? 0)%Z || is_zero (ih A0 (derived_curve A0)) then within_radius l 0 0
+    else
+      let n := times a (fst (stretched a b n)) in
+      let d := times b (fst (stretched a b d)) in
+      let bits := (Z.log2_up (Zpos (Qden (radius l)) / Qnum (radius l)) + 16)%Z in
+      let shows bits := integral_shows depth (length d * Z.to_nat bits) (Z.to_pos (2 ^ bits)) n d l in
+      if shows bits then true else shows (bits + 240)%Z
+  else false.
 
 Definition accept_within (depth : nat) (c : certificate) : bool :=
   let d := denominator_of (cu c ++ cv c ++ cp c ++ cq c) in
@@ -346,7 +348,8 @@ Lemma check_angle_sound depth A0 n d l : length n = length d ->
   (forall s, -2 * h (reals A0 s) (reals (derived_curve A0) s) * at_real d s = at_real n s * sigma (reals A0 s)) ->
   check_angle depth A0 n d l = true -> angle_statement (reals A0) (reals (derived_curve A0)) l.
 Proof.
-  intros L E H; unfold check_angle in H; apply andb_true_iff in H as [P H]; cbv zeta in H.
+  intros L E H; unfold check_angle in H; cbv zeta in H.
+  destruct (is_positive depth _) eqn:P in H; [| discriminate].
   set (a := Qnum (time l)) in *; set (b := Zpos (Qden (time l))) in *.
   assert (B : (0 < b)%Z) by reflexivity.
   assert (T : Q2R (time l) = IZR a / IZR b) by reflexivity.
@@ -355,9 +358,9 @@ Proof.
     exact (is_positive_sound _ _ P). }
   split; [exact C |].
   set (w := fun s => -2 * h (reals A0 s) (reals (derived_curve A0) s) / sigma (reals A0 s)).
-  apply orb_true_iff in H as [H | H].
+  destruct (_ || is_zero _)%bool eqn:Z in H.
   - (* There is nothing to integrate. *)
-    apply andb_true_iff in H as [Z W]; apply (within_radius_sound _ _ _ _ W).
+    apply (within_radius_sound _ _ _ _ H).
     replace (RInt w 0 (Q2R (time l))) with 0; [change (Q2R 0) with (0 / 1); lra |].
     apply orb_true_iff in Z as [Z | Z].
     + apply Z.eqb_eq in Z; rewrite T, Z; unfold Rdiv; rewrite Rmult_0_l, RInt_point; reflexivity.
@@ -367,7 +370,7 @@ Proof.
         rewrite Rmult_0_r; apply Rmult_0_l.
   - set (n' := times a (fst (stretched a b n))) in *; set (d' := times b (fst (stretched a b d))) in *.
     assert (K : exists depth' terms unit, integral_shows depth' terms unit n' d' l = true)
-      by (apply orb_true_iff in H as [H | H]; do 3 eexists; exact H).
+      by (destruct (integral_shows _ _ _ _ _ _) eqn:S in H; do 3 eexists; [exact S | exact H]).
     clear H; destruct K as (depth' & terms & unit & H).
     apply integral_shows_sound in H as [D H];
       [| unfold n', d'; rewrite !length_times, !length_stretched; exact L].

@@ -1,0 +1,202 @@
+(* Reads certificates (docs/certificate.md), and says which of them the checker accepts that Coq has proved right
+   (verified_checker.v). What is read is not proved to be what is in the file: it is printed, and with --coq a file
+   is written of which the theorem is what the certificate states, for coqc to prove by computing `accept` itself.
+
+   Of a certificate the checker takes the curve, its invariants, the rate and the claims about angles to the
+   Euler-Rodrigues frame. *)
+
+module A = Accept
+module Int = Big_int_Z
+
+exception Malformed of string
+
+(* ---- JSON: as much as there is in a certificate. *)
+
+type json = Null | Bool of bool | Number of string | Text of string | Items of json list | Fields of (string * json) list
+
+let parse text =
+  let at = ref 0 and length = String.length text in
+  let fail what = raise (Malformed (Printf.sprintf "byte %d: %s" !at what)) in
+  let peek () = if !at < length then text.[!at] else '\000' in
+  let rec blank () = match peek () with ' ' | '\t' | '\n' | '\r' when !at < length -> incr at; blank () | _ -> () in
+  let expect c = if !at < length && peek () = c then incr at else fail (Printf.sprintf "'%c' is wanted" c) in
+  let word w value =
+    let n = String.length w in
+    if !at + n <= length && String.sub text !at n = w then (at := !at + n; value) else fail "a value is wanted" in
+  let rec characters out =
+    if !at >= length then fail "a string without an end" else
+    match text.[!at] with
+    | '"' -> incr at; Buffer.contents out
+    | '\\' ->  (* no key and no number has one: kept as it is *)
+        if !at + 1 >= length then fail "a string without an end";
+        Buffer.add_string out (String.sub text !at 2); at := !at + 2; characters out
+    | c -> incr at; Buffer.add_char out c; characters out in
+  let string () = expect '"'; characters (Buffer.create 16) in
+  (* What is between two brackets, with commas. *)
+  let rec listed close item =
+    blank ();
+    if peek () = close then (incr at; []) else more close item
+  and more close item =
+    let first = item () in
+    blank ();
+    if peek () = ',' then (incr at; blank (); first :: more close item) else (expect close; [first]) in
+  let rec value depth =
+    if depth > 100 then fail "nested too deeply";
+    blank ();
+    match peek () with
+    | '{' ->
+        incr at;
+        let field () =
+          blank ();
+          let key = string () in
+          blank (); expect ':';
+          (key, value (depth + 1)) in
+        let fields = listed '}' field in
+        let keys = List.map fst fields in
+        if List.length (List.sort_uniq compare keys) < List.length keys then fail "a key is there twice";
+        Fields fields
+    | '[' -> incr at; Items (listed ']' (fun () -> value (depth + 1)))
+    | '"' -> Text (string ())
+    | 't' -> word "true" (Bool true)
+    | 'f' -> word "false" (Bool false)
+    | 'n' -> word "null" Null
+    | '-' | '0' .. '9' ->
+        let from = !at in
+        while (match peek () with '-' | '+' | '.' | 'e' | 'E' | '0' .. '9' -> true | _ -> false) do incr at done;
+        Number (String.sub text from (!at - from))
+    | _ -> fail "a value is wanted" in
+  let found = value 0 in
+  blank ();
+  if !at < length then fail "something is behind the end";
+  found
+
+(* ---- A certificate *)
+
+let fail place what = raise (Malformed (place ^ ": " ^ what))
+
+let find key place = function
+  | Fields fields -> (match List.assoc_opt key fields with Some x -> x | None -> fail place ("the key \"" ^ key ^ "\" is missing"))
+  | _ -> fail place "an object is wanted"
+let find_optional key = function Fields fields -> List.assoc_opt key fields | _ -> None
+
+let items place = function Items l -> l | _ -> fail place "a list is wanted"
+let text place = function Text s -> s | _ -> fail place "a string is wanted"
+
+let is_number s = s <> "" && String.for_all (function '0' .. '9' -> true | _ -> false) s
+let integer place s =
+  let digits = if s <> "" && s.[0] = '-' then String.sub s 1 (String.length s - 1) else s in
+  if is_number digits then Int.big_int_of_string s else fail place ("an integer is wanted, not \"" ^ s ^ "\"")
+
+let fraction n d : A.q = { A.qnum = n; A.qden = d }
+
+let exact place x =
+  let s = text place x in
+  match String.index_opt s '/' with
+  | None -> fraction (integer place s) Int.unit_big_int
+  | Some k ->
+      let below = String.sub s (k + 1) (String.length s - k - 1) in
+      let d = if is_number below then Int.big_int_of_string below else fail place "a denominator is wanted" in
+      if Int.sign_big_int d = 0 then fail place "the denominator is 0";
+      fraction (integer place (String.sub s 0 k)) d
+
+let power_of_10 n = Int.power_int_positive_int 10 n
+
+let decimal place x =
+  let s = text place x in
+  let head, exponent = match String.index_opt s 'e' with
+    | None -> s, 0
+    | Some k ->
+        let e = integer place (String.sub s (k + 1) (String.length s - k - 1)) in
+        if Int.gt_big_int (Int.abs_big_int e) (Int.big_int_of_int 10000) then fail place "exponents are limited to 10000";
+        String.sub s 0 k, Int.int_of_big_int e in
+  let digits, exponent = match String.index_opt head '.' with
+    | None -> head, exponent
+    | Some k ->
+        let after = String.sub head (k + 1) (String.length head - k - 1) in
+        if not (is_number after) || k = 0 then fail place "a decimal number is wanted";
+        String.sub head 0 k ^ after, exponent - String.length after in
+  let n = integer place digits in
+  if exponent < 0 then fraction n (power_of_10 (- exponent))
+  else fraction (Int.mult_big_int n (power_of_10 exponent)) Int.unit_big_int
+
+let polynomial place x = List.map (exact place) (items place x)
+
+let claim place x =
+  let what key read = read (place ^ "/" ^ key) (find key place x) in
+  let of_text key = text (place ^ "/" ^ key) (find key place x) in
+  let said = Printf.sprintf "|theta(%s) - %s| <= %s" (of_text "t") (of_text "theta") (of_text "radius") in
+  (said, { A.time = what "t" exact; A.angle = what "theta" decimal; A.radius = what "radius" decimal })
+
+(* The certificate, and its claims as they are written. *)
+let certificate place x =
+  let is key value x = if find key place x <> Text value then fail (place ^ "/" ^ key) ("\"" ^ value ^ "\" is wanted") in
+  is "phrame" "certificate/1" x;
+  is "frame" "erf" x;
+  let inside key = find key place x and at key = place ^ "/" ^ key in
+  let curve = inside "curve" in
+  is "phrame" "curve/1" curve;
+  is "basis" "power" curve;
+  let part of_what key = polynomial (at key) (find key place of_what) in
+  let preimage = find "preimage" place curve and g = inside "g" and rate = inside "rate" in
+  let x', y', z' = match items (at "hodograph") (inside "hodograph") with
+    | [x; y; z] -> polynomial (at "hodograph") x, polynomial (at "hodograph") y, polynomial (at "hodograph") z
+    | _ -> fail (at "hodograph") "three polynomials are wanted" in
+  let claims = List.mapi (fun k c -> claim (Printf.sprintf "%s/claims/%d" place k) c) (items (at "claims") (inside "claims")) in
+  let one = [fraction Int.unit_big_int Int.unit_big_int] in
+  (List.map fst claims,
+   { A.cu = part preimage "u"; A.cv = part preimage "v"; A.cp = part preimage "p"; A.cq = part preimage "q";
+     A.multiplier = (match find_optional "multiplier" curve with Some f -> polynomial (at "multiplier") f | None -> one);
+     A.cx' = x'; A.cy' = y'; A.cz' = z'; A.csigma = part x "sigma"; A.ch = part x "h";
+     A.cg_re = part g "re"; A.cg_im = part g "im"; A.numerator = part rate "numerator";
+     A.denominator = part rate "denominator"; A.common = part rate "common"; A.claims = List.map snd claims })
+
+(* ---- What is answered *)
+
+(* Whether all is accepted; what is not is looked for without the claims, and with each of them alone. *)
+let judge prefix quiet (said, (c : A.certificate)) =
+  let say is_proved line =
+    if not (quiet && is_proved) then
+      Printf.printf "%s  %s%s\n" (if is_proved then "proved    " else "not proved") prefix line in
+  let all = A.accept c in
+  let frame = all || A.accept { c with A.claims = [] } in
+  say frame "the curve, its invariants, the rate, the rotation-minimizing frame on [0, 1]";
+  List.iter2 (fun line l -> say (all || frame && A.accept { c with A.claims = [l] }) line) said c.A.claims;
+  all
+
+(* The certificate as a term of Coq, and the theorem that it is true. *)
+let write_coq (c : A.certificate) =
+  let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden) in
+  let list a = "[" ^ String.concat "; " a ^ "]" in
+  let polys l = String.concat "\n  " (List.map (fun a -> list (List.map q a)) l) in
+  let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
+  Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import verified_checker.\nImport ListNotations.\n\
+    Open Scope Q_scope.\n\nDefinition the_certificate := Certificate\n  (* u, v, p, q and f *)\n  %s\n\
+    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* t, theta, radius *)\n  %s.\n\n\
+    Theorem it_is_true : statement the_certificate.\nProof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
+    (polys [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier])
+    (polys [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im])
+    (polys [c.A.numerator; c.A.denominator; c.A.common]) (list (List.map claim c.A.claims))
+
+let read name =
+  let channel = if name = "-" then stdin else open_in_bin name in
+  let data = Buffer.create 65536 in
+  (try while true do Buffer.add_channel data channel 1 done with End_of_file -> ());
+  if name <> "-" then close_in channel;
+  Buffer.contents data
+
+(* Exit status: 0 all is accepted, 1 something is not, 2 it cannot be read. *)
+let check quiet to_coq name =
+  match certificate "" (parse (read name)) with
+  | said, c when to_coq -> ignore said; write_coq c; 0
+  | found -> if judge "" quiet found then (print_endline "accepted"; 0) else (print_endline "not accepted"; 1)
+  | exception Malformed what -> Printf.eprintf "check_certificate_verified: %s: %s\n" name what; 2
+  | exception Sys_error what -> Printf.eprintf "check_certificate_verified: %s\n" what; 2
+
+let () =
+  let options, files = List.partition (fun s -> String.length s > 1 && s.[0] = '-') (List.tl (Array.to_list Sys.argv)) in
+  if files = [] || List.exists (fun s -> s <> "-q" && s <> "--coq") options then begin
+    prerr_endline "usage: check_certificate_verified [-q] [--coq] CERT...";
+    exit 2
+  end;
+  let has s = List.mem s options in
+  exit (List.fold_left (fun worst name -> max worst (check (has "-q") (has "--coq") name)) 0 files)
