@@ -2,8 +2,8 @@
    (verified_checker.v). What is read is not proved to be what is in the file: it is printed, and with --coq a file
    is written of which the theorem is what the certificate states, for coqc to prove by computing `accept` itself.
 
-   Of a certificate the checker takes the curve, its invariants, the rate and the claims about angles to the
-   Euler-Rodrigues frame. *)
+   Of a certificate the checker takes the curve, its invariants, the rate, gamma of the Frenet frame, and the claims
+   about angles. *)
 
 module A = Accept
 module Int = Big_int_Z
@@ -131,7 +131,6 @@ let claim place x =
 let certificate place x =
   let is key value x = if find key place x <> Text value then fail (place ^ "/" ^ key) ("\"" ^ value ^ "\" is wanted") in
   is "phrame" "certificate/1" x;
-  is "frame" "erf" x;
   let inside key = find key place x and at key = place ^ "/" ^ key in
   let curve = inside "curve" in
   is "phrame" "curve/1" curve;
@@ -142,13 +141,21 @@ let certificate place x =
     | [x; y; z] -> polynomial (at "hodograph") x, polynomial (at "hodograph") y, polynomial (at "hodograph") z
     | _ -> fail (at "hodograph") "three polynomials are wanted" in
   let claims = List.mapi (fun k c -> claim (Printf.sprintf "%s/claims/%d" place k) c) (items (at "claims") (inside "claims")) in
+  let bend = match text (at "frame") (inside "frame") with
+    | "erf" -> None
+    | "frenet" ->
+        let bend = inside "bend" in
+        let gamma = find "polynomial" (at "bend") bend in
+        Some ((part gamma "re", part gamma "im"), part bend "content")
+    | _ -> fail (at "frame") "\"erf\" or \"frenet\" is wanted" in
   let one = [fraction Int.unit_big_int Int.unit_big_int] in
   (List.map fst claims,
    { A.cu = part preimage "u"; A.cv = part preimage "v"; A.cp = part preimage "p"; A.cq = part preimage "q";
      A.multiplier = (match find_optional "multiplier" curve with Some f -> polynomial (at "multiplier") f | None -> one);
      A.cx' = x'; A.cy' = y'; A.cz' = z'; A.csigma = part x "sigma"; A.ch = part x "h";
      A.cg_re = part g "re"; A.cg_im = part g "im"; A.numerator = part rate "numerator";
-     A.denominator = part rate "denominator"; A.common = part rate "common"; A.claims = List.map snd claims })
+     A.denominator = part rate "denominator"; A.common = part rate "common"; A.bend = bend;
+     A.claims = List.map snd claims })
 
 (* ---- What is answered *)
 
@@ -168,14 +175,17 @@ let write_coq (c : A.certificate) =
   let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden) in
   let list a = "[" ^ String.concat "; " a ^ "]" in
   let polys l = String.concat "\n  " (List.map (fun a -> list (List.map q a)) l) in
+  let bend = match c.A.bend with
+    | None -> "None"
+    | Some ((re, im), g) -> Printf.sprintf "(Some (%s))" (String.concat ", " (List.map (fun a -> list (List.map q a)) [re; im; g])) in
   let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
   Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import verified_checker.\nImport ListNotations.\n\
     Open Scope Q_scope.\n\nDefinition the_certificate := Certificate\n  (* u, v, p, q and f *)\n  %s\n\
-    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* t, theta, radius *)\n  %s.\n\n\
+    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* t, theta, radius *)\n  %s.\n\n\
     Theorem it_is_true : statement the_certificate.\nProof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
     (polys [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier])
     (polys [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im])
-    (polys [c.A.numerator; c.A.denominator; c.A.common]) (list (List.map claim c.A.claims))
+    (polys [c.A.numerator; c.A.denominator; c.A.common]) bend (list (List.map claim c.A.claims))
 
 let read name =
   let channel = if name = "-" then stdin else open_in_bin name in

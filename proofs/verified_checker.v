@@ -14,12 +14,14 @@ Open Scope R_scope.
 (* |theta(time) - angle| <= radius. *)
 Record claim := Claim { time : Q; angle : Q; radius : Q }.
 
-(* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle,
-   numerator/denominator, and what it was reduced by; angles. *)
+(* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle to the
+   Euler-Rodrigues frame, numerator/denominator, and what it was reduced by; where the angles are those to the Frenet
+   frame, `bend` is Re gamma, Im gamma and G, g = G gamma; the angles. *)
 Record certificate := Certificate {
   cu : list Q; cv : list Q; cp : list Q; cq : list Q; multiplier : list Q;
   cx' : list Q; cy' : list Q; cz' : list Q; csigma : list Q; ch : list Q; cg_re : list Q; cg_im : list Q;
   numerator : list Q; denominator : list Q; common : list Q;
+  bend : option (list Q * list Q * list Q);
   claims : list claim }.
 
 (* The value of a polynomial. *)
@@ -32,22 +34,43 @@ Definition clear (A : R -> quaternion) (t : R) := forall s, within t s -> 0 < si
 
 Definition multiple (k : R) (a : quaternion) := Quaternion (k * qu a) (k * qv a) (k * qp a) (k * qq a).
 
-(* Of A0, which A is a multiple of and which has no zero on [0, 1], the frame and its angle. *)
-Definition frame_statement (A0 A0' : R -> quaternion) :=
-  let D := clear A0 in
-  let theta t := 0 + RInt (fun s => -2 * h (A0 s) (A0' s) / sigma (A0 s)) 0 t in
-  let f2 t := turn2 (theta t) (e2 (A0 t)) (e3 (A0 t)) in
-  let f3 t := turn3 (theta t) (e2 (A0 t)) (e3 (A0 t)) in
+(* The angle of the rate w is theta, and f, g turned by it are with e a rotation-minimizing frame on D, and but for a
+   constant turn the only one. *)
+Definition frame_statement (D : R -> Prop) (w theta : R -> R) (e f g : R -> vector) :=
+  let f2 t := turn2 (theta t) (f t) (g t) in
+  let f3 t := turn3 (theta t) (f t) (g t) in
   open_interval D /\ (forall t, 0 <= t <= 1 -> D t) /\
-  theta 0 = 0 /\
-  (forall t, D t -> is_derive theta t (-2 * h (A0 t) (A0' t) / sigma (A0 t))) /\
-  rotation_minimizing D (fun t => e1 (A0 t)) f2 f3 /\
-  (forall g2 g3, rotation_minimizing D (fun t => e1 (A0 t)) g2 g3 ->
+  theta 0 = 0 /\ (forall t, D t -> is_derive theta t (w t)) /\
+  rotation_minimizing D e f2 f3 /\
+  (forall g2 g3, rotation_minimizing D e g2 g3 ->
     exists a, forall t, D t -> g2 t = turn2 a (f2 t) (f3 t) /\ g3 t = turn3 a (f2 t) (f3 t)).
 
-Definition angle_statement (A0 A0' : R -> quaternion) (l : claim) :=
-  clear A0 (Q2R (time l)) /\
-  Rabs (RInt (fun s => -2 * h (A0 s) (A0' s) / sigma (A0 s)) 0 (Q2R (time l)) - Q2R (angle l)) <= Q2R (radius l).
+(* The angle of this rate is, at each time claimed, within the radius of what is claimed, and D reaches there. *)
+Definition angles_statement (D : R -> Prop) (w : R -> R) (l : list claim) :=
+  forall x, In x l ->
+    D (Q2R (time x)) /\ Rabs (RInt w 0 (Q2R (time x)) - Q2R (angle x)) <= Q2R (radius x).
+
+(* Of A0, which A is a multiple of and which has no zero on [0, 1]. *)
+Definition rate (A0 A0' : R -> quaternion) s := -2 * h (A0 s) (A0' s) / sigma (A0 s).
+Definition erf_statement (A0 A0' : R -> quaternion) :=
+  frame_statement (clear A0) (rate A0 A0') (fun t => 0 + RInt (rate A0 A0') 0 t)
+    (fun t => e1 (A0 t)) (fun t => e2 (A0 t)) (fun t => e3 (A0 t)).
+
+(* Of gamma = a + i b, where neither A0 nor gamma has a zero: the Frenet frame, with the normal and the binormal
+   turned over where G is negative. *)
+Definition norm_squared (a b : R -> R) s := a s * a s + b s * b s.
+Definition both_clear (A0 : R -> quaternion) (a b : R -> R) (t : R) :=
+  forall s, within t s -> 0 < sigma (A0 s) /\ 0 < norm_squared a b s.
+Definition gamma_rate (A0 A0' : R -> quaternion) (a b a' b' : R -> R) s :=
+  rate A0 A0' s + (a s * b' s - b s * a' s) / norm_squared a b s.
+Definition gamma_normal (A0 : R -> quaternion) (a b : R -> R) s :=
+  scale (/ sqrt (norm_squared a b s)) (add (scale (a s) (e2 (A0 s))) (scale (- b s) (e3 (A0 s)))).
+Definition gamma_binormal (A0 : R -> quaternion) (a b : R -> R) s :=
+  scale (/ sqrt (norm_squared a b s)) (add (scale (b s) (e2 (A0 s))) (scale (a s) (e3 (A0 s)))).
+Definition frenet_statement (A0 A0' : R -> quaternion) (a b a' b' : R -> R) :=
+  frame_statement (both_clear A0 a b) (gamma_rate A0 A0' a b a' b')
+    (fun t => 0 + RInt (gamma_rate A0 A0' a b a' b') 0 t)
+    (fun t => e1 (A0 t)) (gamma_normal A0 a b) (gamma_binormal A0 a b).
 
 Definition statement (c : certificate) :=
   let A s := Quaternion (value (cu c) s) (value (cv c) s) (value (cp c) s) (value (cq c) s) in
@@ -67,9 +90,17 @@ Definition statement (c : certificate) :=
     (* e1 is along r'. *)
     (forall t, clear A0 t ->
       r' t = scale (value (multiplier c) t * (at_real k t / IZR (Zpos n)) ^ 2 * sigma (A0 t)) (e1 (A0 t))) /\
-    frame_statement A0 A0' /\
+    erf_statement A0 A0' /\
     (* The angles. *)
-    (forall l, In l (claims c) -> angle_statement A0 A0' l).
+    match bend c with
+    | None => angles_statement (clear A0) (rate A0 A0') (claims c)
+    | Some (re, im, G) =>
+        (forall s, g_re (A s) (A' s) = value G s * value re s /\ g_im (A s) (A' s) = value G s * value im s) /\
+        exists a' b' : R -> R,
+          (forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s)) /\
+          frenet_statement A0 A0' (value re) (value im) a' b' /\
+          angles_statement (both_clear A0 (value re) (value im)) (gamma_rate A0 A0' (value re) (value im) a' b') (claims c)
+    end.
 
 (* ---- How it is checked *)
 
@@ -167,19 +198,44 @@ Definition integral_shows (depth terms : nat) (unit : positive) (n d : poly) (l 
   | Some (low, high) => within_radius l (Qmake low unit) (Qmake high unit)
   end.
 
-(* Intervals are halved at most `depth` times, one inside another. *)
-Definition check_angle (depth : nat) (A0 : curve) (n d : poly) (l : claim) :=
-  let a := Qnum (time l) in
-  let b := Zpos (Qden (time l)) in
-  if is_positive depth (fst (stretched a b (isigma A0))) then
-    if (a =? 0)%Z || is_zero (ih A0 (derived_curve A0)) then within_radius l 0 0
+(* The angle of the rate n/d, which is all there is to integrate unless it is 0, and the polynomials l, which are to be
+   positive where it is claimed. Intervals are halved at most `depth` times, one inside another. *)
+Definition positive_to (depth : nat) (t : Q) (a : poly) :=
+  is_positive depth (fst (stretched (Qnum t) (Zpos (Qden t)) a)).
+Definition check_angle (depth : nat) (l : list poly) (n d : poly) (x : claim) :=
+  let a := Qnum (time x) in
+  let b := Zpos (Qden (time x)) in
+  if forallb (positive_to depth (time x)) l then
+    if (a =? 0)%Z || is_zero n then within_radius x 0 0
     else
       let n := times a (fst (stretched a b n)) in
       let d := times b (fst (stretched a b d)) in
-      let bits := (Z.log2_up (Zpos (Qden (radius l)) / Qnum (radius l)) + 16)%Z in
-      let shows bits := integral_shows depth (length d * Z.to_nat bits) (Z.to_pos (2 ^ bits)) n d l in
+      let bits := (Z.log2_up (Zpos (Qden (radius x)) / Qnum (radius x)) + 16)%Z in
+      let shows bits := integral_shows depth (length d * Z.to_nat bits) (Z.to_pos (2 ^ bits)) n d x in
       if shows bits then true else shows (bits + 240)%Z
   else false.
+
+(* The angles to the Frenet frame: with gamma = (a + i b)/e over integers the rate is n/d + (a b' - b a')/(a a + b b). *)
+Definition check_bend (depth : nat) (A A0 : curve) (denom : positive) (n d : poly)
+    (bend : list Q * list Q * list Q) (claims : list claim) :=
+  let '(re, im, G) := bend in
+  let e := denominator_of (re ++ im) in
+  let k := denominator_of G in
+  let a := over e re in
+  let b := over e im in
+  let norm := sum (prod a a) (prod b b) in
+  let spin := diff (prod a (derived b)) (prod b (derived a)) in
+  let n := sum (prod n norm) (prod spin d) in
+  let d := prod d norm in
+  let n' := padded (length d) n in
+  let d' := padded (length n) d in
+  let s := times (Zpos (e * k)) in
+  let s' := times (Zpos (denom * denom)) in
+  is_over e re && is_over e im && is_over k G &&
+  same (s (ig_re A (derived_curve A))) (s' (prod (over k G) a)) &&
+  same (s (ig_im A (derived_curve A))) (s' (prod (over k G) b)) &&
+  is_positive depth norm && Nat.eqb (length n') (length d') &&
+  forallb (check_angle depth [isigma A0; norm; d'] n' d') claims.
 
 Definition accept_within (depth : nat) (c : certificate) : bool :=
   let d := denominator_of (cu c ++ cv c ++ cp c ++ cq c) in
@@ -211,8 +267,10 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
   same (ip A) (prod k (ip A0)) && same (iq A) (prod k (iq A0)) &&
   is_positive depth t &&
   same (times (-2) (prod (ih A0 (derived_curve A0)) d1)) (prod n1 t) &&
-  Nat.eqb (length n1) (length d1) &&
-  forallb (check_angle depth A0 n1 d1) (claims c).
+  match bend c with
+  | None => Nat.eqb (length n1) (length d1) && forallb (check_angle depth [t; d1] n1 d1) (claims c)
+  | Some g => check_bend depth A A0 d n1 d1 g (claims c)
+  end.
 
 Definition accept := accept_within 400.
 
@@ -260,23 +318,26 @@ Proof. split; [| split; [| split]]; apply at_derived. Qed.
 Lemma reals_continuous A s : quaternion_continuous (reals A) s.
 Proof. split; [| split; [| split]]; apply at_continuous. Qed.
 
-(* Where A is clear is an open interval. *)
-Lemma clear_interval A : (forall s, continuous (fun s => sigma (A s)) s) -> open_interval (clear A).
+(* What is reached from 0 without leaving an open set is an open interval. *)
+Lemma reached_interval (P : R -> Prop) : (forall s, P s -> locally s P) ->
+  open_interval (fun t => forall s, within t s -> P s).
 Proof.
-  intro C; split.
+  intro O; split.
   - intros t T.
-    assert (P : locally t (fun s => 0 < sigma (A s))).
-    { apply (C t (fun y => 0 < y)); apply (open_gt 0); apply T; unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra. }
-    destruct P as [eps P]; exists eps; intros x X s S.
+    assert (Pt : P t) by (apply T; unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra).
+    destruct (O t Pt) as [eps L]; exists eps; intros x X s S.
     destruct (Rle_dec (Rmin 0 t) s) as [S1 | S1]; [destruct (Rle_dec s (Rmax 0 t)) as [S2 | S2] |].
     + apply T; split; assumption.
-    + apply P; revert X; unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl.
+    + apply L; revert X; unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl.
       unfold within, Rmin, Rmax, Rabs in *; repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
-    + apply P; revert X; unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl.
+    + apply L; revert X; unfold ball; simpl; unfold AbsRing_ball, abs, minus, plus, opp; simpl.
       unfold within, Rmin, Rmax, Rabs in *; repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
   - intros a b t Ta Tb X s S; destruct (Rle_dec 0 t); [apply Tb | apply Ta];
       unfold within, Rmin, Rmax in *; repeat destruct Rle_dec; lra.
 Qed.
+
+Lemma positive_open (F : R -> R) s : continuous F s -> 0 < F s -> locally s (fun s => 0 < F s).
+Proof. intros C P; exact (C (fun y => 0 < y) (open_gt 0 (F s) P)). Qed.
 
 (* From [0, 1] to what is between 0 and m/n. *)
 Lemma within_ratio m n s : (0 < n)%Z -> m <> 0%Z -> within (IZR m / IZR n) s ->
@@ -344,48 +405,52 @@ Proof.
   split; [apply Rle_div_l | apply Rle_div_r]; try exact U; lra.
 Qed.
 
-Lemma check_angle_sound depth A0 n d l : length n = length d ->
-  (forall s, -2 * h (reals A0 s) (reals (derived_curve A0) s) * at_real d s = at_real n s * sigma (reals A0 s)) ->
-  check_angle depth A0 n d l = true -> angle_statement (reals A0) (reals (derived_curve A0)) l.
+Lemma positive_to_sound depth t a : positive_to depth t a = true ->
+  forall s, within (Q2R t) s -> 0 < at_real a s.
+Proof. intro P; apply (stretched_positive (Qnum t) (Zpos (Qden t))); [reflexivity |]; exact (is_positive_sound _ _ P). Qed.
+
+Lemma at_padded n a s : at_real (padded n a) s = at_real a s.
 Proof.
-  intros L E H; unfold check_angle in H; cbv zeta in H.
-  destruct (is_positive depth _) eqn:P in H; [| discriminate].
-  set (a := Qnum (time l)) in *; set (b := Zpos (Qden (time l))) in *.
-  assert (B : (0 < b)%Z) by reflexivity.
-  assert (T : Q2R (time l) = IZR a / IZR b) by reflexivity.
-  assert (C : clear (reals A0) (Q2R (time l))).
-  { intros s S; rewrite <- at_isigma; rewrite T in S; revert S; apply stretched_positive; [exact B |].
-    exact (is_positive_sound _ _ P). }
+  unfold padded; rewrite at_plus; replace (at_real (repeat 0%Z n) s) with 0; [ring |].
+  induction n as [| n IH]; simpl; [| rewrite <- IH]; ring.
+Qed.
+
+Lemma check_angle_sound depth l n d x (w : R -> R) : length n = length d -> In d l ->
+  (forall s, (forall a, In a l -> 0 < at_real a s) -> w s * at_real d s = at_real n s) ->
+  check_angle depth l n d x = true ->
+  (forall s, within (Q2R (time x)) s -> forall a, In a l -> 0 < at_real a s) /\
+  Rabs (RInt w 0 (Q2R (time x)) - Q2R (angle x)) <= Q2R (radius x).
+Proof.
+  intros L I E H; unfold check_angle in H; cbv zeta in H.
+  destruct (forallb (positive_to depth (time x)) l) eqn:P in H; [| discriminate].
+  assert (C : forall s, within (Q2R (time x)) s -> forall a, In a l -> 0 < at_real a s).
+  { intros s S a La; rewrite forallb_forall in P; exact (positive_to_sound _ _ _ (P a La) s S). }
   split; [exact C |].
-  set (w := fun s => -2 * h (reals A0 s) (reals (derived_curve A0) s) / sigma (reals A0 s)).
+  assert (W : forall s, within (Q2R (time x)) s -> w s = at_real n s / at_real d s).
+  { intros s S; pose proof (C s S) as Cs; rewrite <- (E s Cs); field; apply Rgt_not_eq, Cs, I. }
+  assert (W' : RInt w 0 (Q2R (time x)) = RInt (fun s => at_real n s / at_real d s) 0 (Q2R (time x))).
+  { apply RInt_ext; intros s S; apply W; split; lra. }
+  rewrite W'; clear W'.
+  set (a := Qnum (time x)) in *; set (b := Zpos (Qden (time x))) in *.
+  assert (B : (0 < b)%Z) by reflexivity.
+  assert (T : Q2R (time x) = IZR a / IZR b) by reflexivity.
   destruct (_ || is_zero _)%bool eqn:Z in H.
   - (* There is nothing to integrate. *)
     apply (within_radius_sound _ _ _ _ H).
-    replace (RInt w 0 (Q2R (time l))) with 0; [change (Q2R 0) with (0 / 1); lra |].
+    replace (RInt _ 0 (Q2R (time x))) with 0; [change (Q2R 0) with (0 / 1); lra |].
     apply orb_true_iff in Z as [Z | Z].
     + apply Z.eqb_eq in Z; rewrite T, Z; unfold Rdiv; rewrite Rmult_0_l, RInt_point; reflexivity.
     + symmetry; rewrite (RInt_ext _ (fun _ => 0)).
       * rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; ring.
-      * intros s S; unfold w; rewrite <- at_ih, (at_zero _ s Z); unfold Rdiv.
-        rewrite Rmult_0_r; apply Rmult_0_l.
+      * intros s S; rewrite (at_zero _ s Z); unfold Rdiv; apply Rmult_0_l.
   - set (n' := times a (fst (stretched a b n))) in *; set (d' := times b (fst (stretched a b d))) in *.
-    assert (K : exists depth' terms unit, integral_shows depth' terms unit n' d' l = true)
+    assert (K : exists depth' terms unit, integral_shows depth' terms unit n' d' x = true)
       by (destruct (integral_shows _ _ _ _ _ _) eqn:S in H; do 3 eexists; [exact S | exact H]).
     clear H; destruct K as (depth' & terms & unit & H).
-    apply integral_shows_sound in H as [D H];
+    apply integral_shows_sound in H as [_ H];
       [| unfold n', d'; rewrite !length_times, !length_stretched; exact L].
-    assert (D' : forall s, within (IZR a / IZR b) s -> 0 < at_real d s).
-    { apply stretched_positive; [exact B |]; intros x X; specialize (D x X); unfold d' in D; rewrite at_times in D.
-      apply (Rmult_lt_reg_l (IZR b)); [apply IZR_lt, B | lra]. }
-    unfold n', d' in H; rewrite (stretched_integral a b n d B L) in H by (intros s S; apply Rgt_not_eq, D', S).
-    rewrite <- T in H.
-    assert (W : RInt (fun s => at_real n s / at_real d s) 0 (Q2R (time l)) = RInt w 0 (Q2R (time l))).
-    { apply RInt_ext; intros s S.
-      assert (S' : within (Q2R (time l)) s) by (split; lra).
-      specialize (C s S'); rewrite T in S'; specialize (D' s S').
-      unfold w; apply (Rmult_eq_reg_r (at_real d s * sigma (reals A0 s))); [| nra].
-      transitivity (at_real n s * sigma (reals A0 s)); [field; lra |]; rewrite <- E; field; lra. }
-    rewrite W in H; exact H.
+    unfold n', d' in H; rewrite (stretched_integral a b n d B L) in H; [rewrite <- T in H; exact H |].
+    intros s S; apply Rgt_not_eq, (C s); [rewrite T; exact S | exact I].
 Qed.
 
 (* Real multiples. *)
@@ -402,6 +467,181 @@ Lemma rotated_multiple k a w : rotated (multiple k a) w = scale (k * k) (rotated
 Proof. apply vector_eq; unfold rotated, multiple; simpl; ring. Qed.
 Lemma scale_scale k l w : scale k (scale l w) = scale (k * l) w.
 Proof. apply vector_eq; simpl; ring. Qed.
+
+(* ---- The frames *)
+
+Section Frames.
+
+Variables A0 A0' : R -> quaternion.
+Hypothesis A0_derivative : forall s, quaternion_derivative A0 s (A0' s).
+Hypothesis A0'_continuous : forall s, quaternion_continuous A0' s.
+Hypothesis no_zero : forall s, 0 <= s <= 1 -> 0 < sigma (A0 s).
+
+Lemma A0_continuous s : quaternion_continuous A0 s.
+Proof. exact (continuous_derivative A0 s (A0' s) (A0_derivative s)). Qed.
+
+Lemma sigma_continuous s : continuous (fun s => sigma (A0 s)) s.
+Proof. destruct (A0_continuous s) as (U & V & P & Q); unfold sigma; continuity. Qed.
+
+Lemma at_itself t : within t t.
+Proof. unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra. Qed.
+
+Lemma clear_interval : open_interval (clear A0).
+Proof. apply (reached_interval (fun s => 0 < sigma (A0 s))); intros s P; exact (positive_open _ s (sigma_continuous s) P). Qed.
+
+Lemma clear_on_unit t : 0 <= t <= 1 -> clear A0 t.
+Proof. intros T s S; unfold within in S; rewrite Rmin_left, Rmax_right in S by lra; apply no_zero; lra. Qed.
+
+Lemma erf_holds : erf_statement A0 A0'.
+Proof.
+  split; [exact clear_interval | split; [exact clear_on_unit |]].
+  apply frame_by_theta; auto using clear_interval.
+  - apply clear_on_unit; lra.
+  - intros t T; exact (T t (at_itself t)).
+Qed.
+
+Variables a b a' b' : R -> R.
+Hypothesis a_derivative : forall s, is_derive a s (a' s).
+Hypothesis b_derivative : forall s, is_derive b s (b' s).
+Hypothesis a'_continuous : forall s, continuous a' s.
+Hypothesis b'_continuous : forall s, continuous b' s.
+Hypothesis gamma_nonzero : forall s, 0 <= s <= 1 -> 0 < norm_squared a b s.
+
+Lemma real_continuous (F : R -> R) s l : is_derive F s l -> continuous F s.
+Proof. intro H; apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule)); eexists; exact H. Qed.
+
+Lemma norm_continuous s : continuous (norm_squared a b) s.
+Proof.
+  pose proof (real_continuous _ _ _ (a_derivative s)); pose proof (real_continuous _ _ _ (b_derivative s)).
+  unfold norm_squared; continuity.
+Qed.
+
+Lemma gamma_rate_continuous s : 0 < sigma (A0 s) -> 0 < norm_squared a b s ->
+  continuous (gamma_rate A0 A0' a b a' b') s.
+Proof.
+  intros P N; pose proof (rate_continuous A0 A0' s (A0_continuous s) (A0'_continuous s) P) as R.
+  pose proof (real_continuous _ _ _ (a_derivative s)); pose proof (real_continuous _ _ _ (b_derivative s)).
+  pose proof (norm_continuous s); specialize (a'_continuous s); specialize (b'_continuous s).
+  unfold gamma_rate; apply continuous_plus_R; [exact R |].
+  apply continuous_over_R; [continuity | assumption | exact N].
+Qed.
+
+Lemma frenet_holds : frenet_statement A0 A0' a b a' b'.
+Proof.
+  set (D := both_clear A0 a b).
+  assert (I : open_interval D).
+  { apply (reached_interval (fun s => 0 < sigma (A0 s) /\ 0 < norm_squared a b s)); intros s [P N].
+    apply filter_and; apply positive_open; auto using sigma_continuous, norm_continuous. }
+  assert (U : forall t, 0 <= t <= 1 -> D t).
+  { intros t T s S; unfold within in S; rewrite Rmin_left, Rmax_right in S by lra; split;
+      [apply no_zero | apply gamma_nonzero]; lra. }
+  assert (D0 : D 0) by (apply U; lra).
+  assert (P : forall t, D t -> 0 < sigma (A0 t)) by (intros t T; exact (proj1 (T t (at_itself t)))).
+  assert (N : forall t, D t -> 0 < norm_squared a b t) by (intros t T; exact (proj2 (T t (at_itself t)))).
+  destruct (angle_exists D (gamma_rate A0 A0' a b a' b') 0 I D0) as [Z R].
+  { intros t T; apply gamma_rate_continuous; auto. }
+  set (psi := fun t => 0 + RInt (gamma_rate A0 A0' a b a' b') 0 t) in *.
+  assert (M : rotation_minimizing D (fun t => e1 (A0 t))
+      (fun t => turn2 (psi t) (gamma_normal A0 a b t) (gamma_binormal A0 a b t))
+      (fun t => turn3 (psi t) (gamma_normal A0 a b t) (gamma_binormal A0 a b t))).
+  { pose (c := pair_c a b psi); pose (s := pair_s a b psi).
+    assert (H2 : forall t, add (scale (c t) (e2 (A0 t))) (scale (s t) (e3 (A0 t))) =
+      turn2 (psi t) (gamma_normal A0 a b t) (gamma_binormal A0 a b t))
+      by (intro t; apply vector_eq; unfold turn2, gamma_normal, gamma_binormal, norm_squared, add, scale, c, s,
+          pair_c, pair_s, Rdiv; cbn [vx vy vz]; ring).
+    assert (H3 : forall t, add (scale (- s t) (e2 (A0 t))) (scale (c t) (e3 (A0 t))) =
+      turn3 (psi t) (gamma_normal A0 a b t) (gamma_binormal A0 a b t))
+      by (intro t; apply vector_eq; unfold turn3, gamma_normal, gamma_binormal, norm_squared, add, scale, c, s,
+          pair_c, pair_s, Rdiv; cbn [vx vy vz]; ring).
+    assert (T : forall t, D t -> c t * c t + s t * s t = 1 /\
+      is_derive c t (- (-2 * h (A0 t) (A0' t) / sigma (A0 t)) * s t) /\
+      is_derive s t (-2 * h (A0 t) (A0' t) / sigma (A0 t) * c t))
+      by (intros t Ht; exact (pair_turns a b psi t _ _ _ (a_derivative t) (b_derivative t) (N t Ht) (R t Ht))).
+    intros t Ht.
+    destruct (pair_is_rotation_minimizing D A0 A0' (fun t _ => A0_derivative t) P c s T t Ht)
+      as (F & (k & K) & (l & L)).
+    rewrite H2, H3 in F; split; [exact F | split].
+    - exists k; exact (derivative_ext _ _ _ _ _ H2 eq_refl K).
+    - exists l; exact (derivative_ext _ _ _ _ _ H3 eq_refl L). }
+  split; [exact I | split; [exact U | split; [exact Z | split; [exact R | split; [exact M |]]]]].
+  intros g2 g3 G; exact (unique_but_for_a_turn D 0 _ _ _ _ _ I D0 M G).
+Qed.
+
+End Frames.
+
+(* The angles to the Frenet frame. *)
+Lemma check_bend_sound depth A A0 denom n d (At : R -> quaternion) re im G l :
+  (forall s, At s = multiple (/ IZR (Zpos denom)) (reals A s)) ->
+  (forall s, 0 <= s <= 1 -> 0 < sigma (reals A0 s)) ->
+  (forall s, 0 < sigma (reals A0 s) -> rate (reals A0) (reals (derived_curve A0)) s * at_real d s = at_real n s) ->
+  check_bend depth A A0 denom n d (re, im, G) l = true ->
+  let A' s := multiple (/ IZR (Zpos denom)) (reals (derived_curve A) s) in
+  (forall s, g_re (At s) (A' s) = value G s * value re s /\ g_im (At s) (A' s) = value G s * value im s) /\
+  exists a' b' : R -> R,
+    (forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s)) /\
+    frenet_statement (reals A0) (reals (derived_curve A0)) (value re) (value im) a' b' /\
+    angles_statement (both_clear (reals A0) (value re) (value im))
+      (gamma_rate (reals A0) (reals (derived_curve A0)) (value re) (value im) a' b') l.
+Proof.
+  intros EA POS R1 H; unfold check_bend in H.
+  set (e := denominator_of (re ++ im)) in *; set (k := denominator_of G) in *.
+  set (a := over e re) in *; set (b := over e im) in *; cbv zeta in H.
+  set (norm := sum (prod a a) (prod b b)) in *.
+  set (spin := diff (prod a (derived b)) (prod b (derived a))) in *.
+  set (n' := padded _ _) in H; set (d' := padded _ _) in H.
+  rewrite !andb_true_iff in H; destruct H as (((((((Ore & Oim) & OG) & Gre) & Gim) & NORM) & LEN) & ANGLES).
+  pose proof (positive_real denom) as Dp; pose proof (positive_real e) as Ep; pose proof (positive_real k) as Kp.
+  assert (Va : forall s, value re s = at_real a s / IZR (Zpos e))
+    by (intro s; unfold a; rewrite value_over by assumption; field; lra).
+  assert (Vb : forall s, value im s = at_real b s / IZR (Zpos e))
+    by (intro s; unfold b; rewrite value_over by assumption; field; lra).
+  assert (Da : forall s, is_derive (value re) s (at_real (derived a) s / IZR (Zpos e))).
+  { intro s; apply (is_derive_ext (fun s => / IZR (Zpos e) * at_real a s)); [intro; rewrite Va; apply Rmult_comm |].
+    replace (at_real (derived a) s / IZR (Zpos e)) with (/ IZR (Zpos e) * at_real (derived a) s) by (field; lra).
+    apply is_derive_scal, at_derived. }
+  assert (Db : forall s, is_derive (value im) s (at_real (derived b) s / IZR (Zpos e))).
+  { intro s; apply (is_derive_ext (fun s => / IZR (Zpos e) * at_real b s)); [intro; rewrite Vb; apply Rmult_comm |].
+    replace (at_real (derived b) s / IZR (Zpos e)) with (/ IZR (Zpos e) * at_real (derived b) s) by (field; lra).
+    apply is_derive_scal, at_derived. }
+  assert (Vn : forall s, norm_squared (value re) (value im) s = at_real norm s / (IZR (Zpos e) * IZR (Zpos e))).
+  { intro s; unfold norm_squared, norm, sum, prod; rewrite Va, Vb, at_plus, !at_mult; field; lra. }
+  assert (Np : forall s, 0 < at_real norm s -> 0 < norm_squared (value re) (value im) s).
+  { intros s S; rewrite Vn; apply Rdiv_lt_0_compat; nra. }
+  cbv zeta; split.
+  - intro s; rewrite EA, g_re_multiple, g_im_multiple, <- at_ig_re, <- at_ig_im, Va, Vb.
+    assert (VG : value G s = at_real (over k G) s / IZR (Zpos k)) by (rewrite value_over by assumption; field; lra).
+    rewrite VG; apply (at_same _ _ s) in Gre, Gim; unfold prod in Gre, Gim.
+    rewrite !at_times, at_mult, !Pos2Z.inj_mul, !mult_IZR in Gre, Gim.
+    split.
+    + apply (Rmult_eq_reg_l (IZR (Zpos e) * IZR (Zpos k) * (IZR (Zpos denom) * IZR (Zpos denom))));
+        [| repeat apply Rmult_integral_contrapositive_currified; lra].
+      transitivity (IZR (Zpos e) * IZR (Zpos k) * at_real (ig_re A (derived_curve A)) s); [field; lra |].
+      rewrite Gre; field; lra.
+    + apply (Rmult_eq_reg_l (IZR (Zpos e) * IZR (Zpos k) * (IZR (Zpos denom) * IZR (Zpos denom))));
+        [| repeat apply Rmult_integral_contrapositive_currified; lra].
+      transitivity (IZR (Zpos e) * IZR (Zpos k) * at_real (ig_im A (derived_curve A)) s); [field; lra |].
+      rewrite Gim; field; lra.
+  - exists (fun s => at_real (derived a) s / IZR (Zpos e)), (fun s => at_real (derived b) s / IZR (Zpos e)).
+    split; [auto | split].
+    + apply frenet_holds; auto using reals_derivative, reals_continuous.
+      * intro s; apply continuous_mult_R; [apply at_continuous | apply continuous_const_R].
+      * intro s; apply continuous_mult_R; [apply at_continuous | apply continuous_const_R].
+      * intros s S; apply Np; exact (is_positive_sound _ _ NORM s S).
+    + intros x X; rewrite forallb_forall in ANGLES; specialize (ANGLES x X).
+      apply (check_angle_sound _ _ _ _ _ (gamma_rate (reals A0) (reals (derived_curve A0)) (value re) (value im)
+        (fun s => at_real (derived a) s / IZR (Zpos e)) (fun s => at_real (derived b) s / IZR (Zpos e)))) in ANGLES.
+      * destruct ANGLES as [C V]; split; [| exact V].
+        intros s S; split; [rewrite <- at_isigma; apply (C s S); simpl; auto | apply Np, (C s S); simpl; auto].
+      * apply Nat.eqb_eq, LEN.
+      * simpl; auto.
+      * intros s C.
+        assert (S : 0 < sigma (reals A0 s)) by (rewrite <- at_isigma; apply C; simpl; auto).
+        assert (N : 0 < at_real norm s) by (apply C; simpl; auto).
+        unfold n', d'; rewrite !at_padded.
+        unfold sum at 1, prod at 1 2 3; rewrite at_plus, !at_mult, <- (R1 s S).
+        unfold gamma_rate; rewrite Vn, Va, Vb.
+        unfold spin, diff, prod; rewrite at_minus, !at_mult; field; lra.
+Qed.
 
 Theorem accept_within_sound depth c : accept_within depth c = true -> statement c.
 Proof.
@@ -449,6 +689,8 @@ Proof.
     repeat match goal with
     | H : same _ (prod k _) = true |- _ => apply (at_same _ _ s) in H; unfold prod in H; rewrite at_mult in H; rewrite H; clear H
     end; f_equal; field; lra. }
+  assert (POS : forall s, 0 <= s <= 1 -> 0 < sigma (reals A0 s)).
+  { intros s S; rewrite <- at_isigma; eapply is_positive_sound; [eassumption | exact S]. }
   assert (RATE : forall s,
     -2 * h (At s) (multiple (/ IZR (Zpos d)) (reals (derived_curve A) s)) =
       value (numerator c) s * value (common c) s /\
@@ -478,26 +720,25 @@ Proof.
   split; [exact DA | split; [exact INV | split; [exact RATE |]]].
   exists k, d, (reals A0), (reals (derived_curve A0)).
   split; [assumption | split; [exact E0 | split; [apply reals_derivative | split; [exact ALONG | split]]]].
-  - assert (C : forall s, continuous (fun s => sigma (reals A0 s)) s).
-    { intro s; apply (continuous_ext (at_real (isigma A0))); [intro; apply at_isigma | apply at_continuous]. }
-    assert (P : forall t, clear (reals A0) t -> 0 < sigma (reals A0 t)).
-    { intros t T; apply T; unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra. }
-    assert (U : forall t, 0 <= t <= 1 -> clear (reals A0) t).
-    { intros t T s S; unfold within in S; rewrite Rmin_left, Rmax_right in S by lra.
-      rewrite <- at_isigma; eapply is_positive_sound; [eassumption | lra]. }
-    split; [exact (clear_interval _ C) | split; [exact U |]].
-    apply frame_by_theta; auto using clear_interval, reals_derivative, reals_continuous.
-    apply U; lra.
-  - intros l L.
-    match goal with
-    | H : forallb _ (claims c) = true |- _ => rewrite forallb_forall in H; specialize (H l L); rename H into G
+  - apply erf_holds; auto using reals_derivative, reals_continuous.
+  - match goal with
+    | H : same (times (-2) _) (prod n1 _) = true |- _ => rename H into SAME
     end.
-    revert G; apply check_angle_sound; [apply Nat.eqb_eq; assumption |].
-    intro s.
-    match goal with
-    | H : same (times (-2) _) (prod n1 _) = true |- _ => apply (at_same _ _ s) in H; rename H into G
-    end.
-    unfold prod in G; rewrite at_times, !at_mult, at_ih, at_isigma in G; lra.
+    assert (R1 : forall s, 0 < sigma (reals A0 s) ->
+        rate (reals A0) (reals (derived_curve A0)) s * at_real d1 s = at_real n1 s).
+    { intros s S; apply (at_same _ _ s) in SAME; unfold prod in SAME.
+      rewrite at_times, !at_mult, at_ih, at_isigma in SAME; unfold rate.
+      apply (Rmult_eq_reg_r (sigma (reals A0 s))); [| lra]; rewrite <- SAME; field; lra. }
+    match goal with H : match bend c with _ => _ end = true |- _ => rename H into BEND end.
+    destruct (bend c) as [[[re im] G] |]; [| apply andb_true_iff in BEND as [L BEND]].
+    + exact (check_bend_sound _ A A0 d n1 d1 At re im G (claims c) EA POS R1 BEND).
+    + intros x X; rewrite forallb_forall in BEND; specialize (BEND x X).
+      apply (check_angle_sound _ _ _ _ _ (rate (reals A0) (reals (derived_curve A0)))) in BEND.
+      * destruct BEND as [C V]; split; [| exact V].
+        intros s S; rewrite <- at_isigma; apply (C s S); simpl; auto.
+      * apply Nat.eqb_eq, L.
+      * simpl; auto.
+      * intros s C; apply R1; rewrite <- at_isigma; apply C; simpl; auto.
 Qed.
 
 (* If all is accepted, all is true. *)
