@@ -137,6 +137,7 @@ let certificate place x =
   is "basis" "power" curve;
   let part of_what key = polynomial (at key) (find key place of_what) in
   let preimage = find "preimage" place curve and g = inside "g" and rate = inside "rate" in
+  let rational = find "rational" (at "antiderivative") (inside "antiderivative") in
   let x', y', z' = match items (at "hodograph") (inside "hodograph") with
     | [x; y; z] -> polynomial (at "hodograph") x, polynomial (at "hodograph") y, polynomial (at "hodograph") z
     | _ -> fail (at "hodograph") "three polynomials are wanted" in
@@ -155,6 +156,7 @@ let certificate place x =
      A.cx' = x'; A.cy' = y'; A.cz' = z'; A.csigma = part x "sigma"; A.ch = part x "h";
      A.cg_re = part g "re"; A.cg_im = part g "im"; A.numerator = part rate "numerator";
      A.denominator = part rate "denominator"; A.common = part rate "common"; A.bend = bend;
+     A.rational = (part rational "numerator", part rational "denominator");
      A.claims = List.map snd claims })
 
 (* ---- What is answered *)
@@ -181,11 +183,12 @@ let write_coq (c : A.certificate) =
   let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
   Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import verified_checker.\nImport ListNotations.\n\
     Open Scope Q_scope.\n\nDefinition the_certificate := Certificate\n  (* u, v, p, q and f *)\n  %s\n\
-    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* t, theta, radius *)\n  %s.\n\n\
+    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* a fraction *)\n  (%s, %s)\n  (* t, theta, radius *)\n  %s.\n\n\
     Theorem it_is_true : statement the_certificate.\nProof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
     (polys [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier])
     (polys [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im])
-    (polys [c.A.numerator; c.A.denominator; c.A.common]) bend (list (List.map claim c.A.claims))
+    (polys [c.A.numerator; c.A.denominator; c.A.common]) bend (list (List.map q (fst c.A.rational))) (list (List.map q (snd c.A.rational)))
+    (list (List.map claim c.A.claims))
 
 let read name =
   let channel = if name = "-" then stdin else open_in_bin name in

@@ -16,12 +16,13 @@ Record claim := Claim { time : Q; angle : Q; radius : Q }.
 
 (* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle to the
    Euler-Rodrigues frame, numerator/denominator, and what it was reduced by; where the angles are those to the Frenet
-   frame, `bend` is Re gamma, Im gamma and G, g = G gamma; the angles. *)
+   frame, `bend` is Re gamma, Im gamma and G, g = G gamma; a fraction that may be an antiderivative of the rate, of which
+   nothing is stated: it is for angles that are exact; the angles. *)
 Record certificate := Certificate {
   cu : list Q; cv : list Q; cp : list Q; cq : list Q; multiplier : list Q;
   cx' : list Q; cy' : list Q; cz' : list Q; csigma : list Q; ch : list Q; cg_re : list Q; cg_im : list Q;
   numerator : list Q; denominator : list Q; common : list Q;
-  bend : option (list Q * list Q * list Q);
+  bend : option (list Q * list Q * list Q); rational : list Q * list Q;
   claims : list claim }.
 
 (* The value of a polynomial. *)
@@ -215,6 +216,22 @@ Definition check_angle (depth : nat) (l : list poly) (n d : poly) (x : claim) :=
       if shows bits then true else shows (bits + 240)%Z
   else false.
 
+(* The angle of the rate n/d where that is the derivative of ratio = p/q, for a radius that may be 0. *)
+Fixpoint at_fraction (a : poly) (t : Q) : Q :=
+  match a with [] => 0 | c :: a => Qred (inject_Z c + t * at_fraction a t) end%Q.
+Definition check_exact (depth : nat) (A0 : curve) (n d : poly) (ratio : list Q * list Q) (x : claim) :=
+  let e := denominator_of (fst ratio ++ snd ratio) in
+  let p := over e (fst ratio) in
+  let q := over e (snd ratio) in
+  let s := if (hd 0 q <? 0)%Z then (-1)%Z else 1%Z in
+  let p := times s p in
+  let q := times s q in
+  let v t := (at_fraction p t / at_fraction q t)%Q in
+  let w := (v (time x) - v 0)%Q in
+  if forallb (positive_to depth (time x)) [isigma A0; d; q] then
+    same (prod (diff (prod (derived p) q) (prod p (derived q))) d) (prod n (prod q q)) && within_radius x w w
+  else false.
+
 (* The angles to the Frenet frame: with gamma = (a + i b)/e over integers the rate is n/d + (a b' - b a')/(a a + b b). *)
 Definition check_bend (depth : nat) (A A0 : curve) (denom : positive) (n d : poly)
     (bend : list Q * list Q * list Q) (claims : list claim) :=
@@ -268,7 +285,7 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
   is_positive depth t &&
   same (times (-2) (prod (ih A0 (derived_curve A0)) d1)) (prod n1 t) &&
   match bend c with
-  | None => Nat.eqb (length n1) (length d1) && forallb (check_angle depth [t; d1] n1 d1) (claims c)
+  | None => Nat.eqb (length n1) (length d1) && forallb (fun x => if check_angle depth [t; d1] n1 d1 x then true else check_exact depth A0 n1 d1 (rational c) x) (claims c)
   | Some g => check_bend depth A A0 d n1 d1 g (claims c)
   end.
 
@@ -451,6 +468,55 @@ Proof.
       [| unfold n', d'; rewrite !length_times, !length_stretched; exact L].
     unfold n', d' in H; rewrite (stretched_integral a b n d B L) in H; [rewrite <- T in H; exact H |].
     intros s S; apply Rgt_not_eq, (C s); [rewrite T; exact S | exact I].
+Qed.
+
+Lemma at_fraction_real a t : Q2R (at_fraction a t) = at_real a (Q2R t).
+Proof.
+  induction a as [| c a IH]; cbn [at_fraction at_real]; [unfold Q2R; simpl; ring |].
+  rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_plus, Q2R_mult, IH; unfold Q2R at 1; simpl; field.
+Qed.
+
+Lemma at_zero_time : Q2R 0 = 0.
+Proof. unfold Q2R; simpl; ring. Qed.
+
+Lemma check_exact_sound depth A0 n d ratio x (w : R -> R) :
+  (forall s, 0 < at_real (isigma A0) s -> 0 < at_real d s -> w s = at_real n s / at_real d s) ->
+  check_exact depth A0 n d ratio x = true ->
+  (forall s, within (Q2R (time x)) s -> 0 < at_real (isigma A0) s) /\
+  Rabs (RInt w 0 (Q2R (time x)) - Q2R (angle x)) <= Q2R (radius x).
+Proof.
+  intros E H; unfold check_exact in H; cbv zeta in H.
+  set (p := times _ (over _ (fst ratio))) in H; set (q := times _ (over _ (snd ratio))) in H; clearbody p q.
+  destruct (forallb _ _) eqn:P in H; [| discriminate].
+  apply andb_true_iff in H as [S W].
+  rewrite forallb_forall in P.
+  pose proof (positive_to_sound _ _ _ (P (isigma A0) ltac:(simpl; auto))) as PA.
+  pose proof (positive_to_sound _ _ _ (P d ltac:(simpl; auto))) as PD.
+  pose proof (positive_to_sound _ _ _ (P q ltac:(simpl; auto))) as PQ.
+  split; [exact PA |]; apply (within_radius_sound _ _ _ _ W).
+  set (T := Q2R (time x)) in *.
+  assert (T0 : within T 0) by (unfold within, Rmin, Rmax; destruct (Rle_dec 0 T); lra).
+  assert (T1 : within T T) by (unfold within, Rmin, Rmax; destruct (Rle_dec 0 T); lra).
+  assert (N : forall t, within T (Q2R t) -> ~ (at_fraction q t == 0)%Q).
+  { intros t I Z; apply Qeq_eqR in Z; rewrite at_fraction_real, at_zero_time in Z; specialize (PQ _ I); lra. }
+  pose (F := fun s => at_real p s / at_real q s).
+  assert (V : forall t, within T (Q2R t) -> Q2R (at_fraction p t / at_fraction q t) = F (Q2R t)).
+  { intros t I; rewrite Q2R_div by exact (N t I); rewrite !at_fraction_real; reflexivity. }
+  assert (I : RInt w 0 T = F T - F 0).
+  { transitivity (RInt (fun s => at_real n s / at_real d s) 0 T).
+    { apply RInt_ext; intros s I; apply E; [apply PA | apply PD]; split; lra. }
+    apply is_RInt_unique, (is_RInt_derive (V := R_CompleteNormedModule) F); intros s I.
+    - apply (at_same _ _ s) in S; unfold prod, diff in S; rewrite !at_mult, at_minus, !at_mult in S.
+      pose proof (PQ s I) as Q0; pose proof (PD s I) as D0.
+      unfold F; auto_derive.
+      + repeat split; try (eexists; apply at_derived); lra.
+      + change (fun y : R => at_real p y) with (at_real p); change (fun y : R => at_real q y) with (at_real q).
+        rewrite (is_derive_unique _ _ _ (at_derived p s)), (is_derive_unique _ _ _ (at_derived q s)).
+        apply (Rmult_eq_reg_r (at_real d s * (at_real q s * at_real q s)));
+          [| repeat apply Rmult_integral_contrapositive_currified; lra].
+        transitivity (at_real n s * (at_real q s * at_real q s)); [rewrite <- S |]; field; lra.
+    - apply quotient_continuous, Rgt_not_eq, PD, I. }
+  rewrite I, Q2R_minus, (V (time x)), (V 0%Q); rewrite ?at_zero_time; auto; fold T; lra.
 Qed.
 
 (* Real multiples. *)
@@ -733,6 +799,12 @@ Proof.
     destruct (bend c) as [[[re im] G] |]; [| apply andb_true_iff in BEND as [L BEND]].
     + exact (check_bend_sound _ A A0 d n1 d1 At re im G (claims c) EA POS R1 BEND).
     + intros x X; rewrite forallb_forall in BEND; specialize (BEND x X).
+      destruct (check_angle _ _ _ _ _) eqn:CH in BEND.
+      2: { apply (check_exact_sound _ _ _ _ _ _ (rate (reals A0) (reals (derived_curve A0)))) in BEND.
+           - destruct BEND as [C V]; split; [| exact V].
+             intros s S; rewrite <- at_isigma; exact (C s S).
+           - intros s S P; rewrite at_isigma in S; rewrite <- (R1 s S); field; lra. }
+      clear BEND; rename CH into BEND.
       apply (check_angle_sound _ _ _ _ _ (rate (reals A0) (reals (derived_curve A0)))) in BEND.
       * destruct BEND as [C V]; split; [| exact V].
         intros s S; rewrite <- at_isigma; apply (C s S); simpl; auto.
