@@ -2,8 +2,8 @@
    (verified_checker.v). What is read is not proved to be what is in the file: it is printed, and with --coq a file
    is written of which the theorem is what the certificate states, for coqc to prove by computing `accept` itself.
 
-   Of a certificate the checker takes the curve, its invariants, the rate, gamma of the Frenet frame, and the claims
-   about angles. *)
+   Of a certificate the checker takes the curve, its invariants, the rate, gamma of the Frenet frame, the claims about
+   angles, and the decisions that an identity or a few values prove. What it leaves out is said at the end. *)
 
 module A = Accept
 module Int = Big_int_Z
@@ -127,7 +127,39 @@ let claim place x =
   let said = Printf.sprintf "|theta(%s) - %s| <= %s" (of_text "t") (of_text "theta") (of_text "radius") in
   (said, { A.time = what "t" exact; A.angle = what "theta" decimal; A.radius = what "radius" decimal })
 
-(* The certificate, and its claims as they are written. *)
+(* The decisions: (as they are printed, what the checker takes of each, if it does). *)
+let decisions place x =
+  let answer key = match find "answer" (place ^ "/" ^ key) (find key place x) with
+    | Bool b -> b
+    | _ -> fail (place ^ "/" ^ key) "true or false is wanted" in
+  let witness key what = find what (place ^ "/" ^ key) (find key place x) in
+  let vector key what = match List.map (exact (place ^ "/" ^ key)) (items (place ^ "/" ^ key) (witness key what)) with
+    | [a; b; c] -> ((a, b), c)
+    | _ -> fail (place ^ "/" ^ key) "three numbers are wanted" in
+  let taken = function
+    | "regular", true -> Some A.Regular
+    | "inflections", false -> Some A.NoInflection
+    | "line", true -> Some (A.Line (vector "line" "direction"))
+    | "line", false -> Some A.NotLine
+    | "planar", true -> Some (A.Planar (vector "planar" "normal"))
+    | "planar", false -> Some A.NotPlanar
+    | "helical", true -> Some (A.Helical (vector "helical" "axis", exact (place ^ "/helical") (witness "helical" "cos_squared")))
+    | "helical", false when not (answer "planar") -> Some A.NotHelical
+    | "erf_is_rmf", true -> Some A.ErfIsRmf
+    | "erf_is_rmf", false -> Some A.ErfIsNotRmf
+    | "rrmf", true ->
+        let w = witness "rrmf" "w" and at = place ^ "/rrmf" in
+        Some (A.Rrmf (polynomial at (find "re" at w), polynomial at (find "im" at w)))
+    | _ -> None in
+  let keys = match x with Fields fields -> List.map fst fields | _ -> fail place "an object is wanted" in
+  List.map (fun key -> Printf.sprintf "decision %s: %s" key (if answer key then "yes" else "no"), taken (key, answer key)) keys
+
+type found = {
+  certificate : A.certificate;
+  claims : string list; (* as they are written *)
+  decisions : string list;
+  left_out : string list }
+
 let certificate place x =
   let is key value x = if find key place x <> Text value then fail (place ^ "/" ^ key) ("\"" ^ value ^ "\" is wanted") in
   is "phrame" "certificate/1" x;
@@ -150,26 +182,33 @@ let certificate place x =
         Some ((part gamma "re", part gamma "im"), part bend "content")
     | _ -> fail (at "frame") "\"erf\" or \"frenet\" is wanted" in
   let one = [fraction Int.unit_big_int Int.unit_big_int] in
-  (List.map fst claims,
-   { A.cu = part preimage "u"; A.cv = part preimage "v"; A.cp = part preimage "p"; A.cq = part preimage "q";
+  let taken, left_out = List.partition (fun (_, x) -> x <> None) (decisions (at "decisions") (inside "decisions")) in
+  let certificate = {
+     A.cu = part preimage "u"; A.cv = part preimage "v"; A.cp = part preimage "p"; A.cq = part preimage "q";
      A.multiplier = (match find_optional "multiplier" curve with Some f -> polynomial (at "multiplier") f | None -> one);
      A.cx' = x'; A.cy' = y'; A.cz' = z'; A.csigma = part x "sigma"; A.ch = part x "h";
      A.cg_re = part g "re"; A.cg_im = part g "im"; A.numerator = part rate "numerator";
      A.denominator = part rate "denominator"; A.common = part rate "common"; A.bend = bend;
      A.rational = (part rational "numerator", part rational "denominator");
-     A.claims = List.map snd claims })
+     A.claims = List.map snd claims;
+     A.decisions = List.filter_map snd taken } in
+  { certificate; claims = List.map fst claims; decisions = List.map fst taken;
+    left_out = "the antiderivative" :: "its roots and residues" :: List.map fst left_out }
 
 (* ---- What is answered *)
 
-(* Whether all is accepted; what is not is looked for without the claims, and with each of them alone. *)
-let judge prefix quiet (said, (c : A.certificate)) =
+(* Whether all is accepted; what is not is looked for without claims and decisions, and with each of them alone. *)
+let judge quiet found =
+  let c = found.certificate in
+  let bare = { c with A.claims = []; A.decisions = [] } in
   let say is_proved line =
-    if not (quiet && is_proved) then
-      Printf.printf "%s  %s%s\n" (if is_proved then "proved    " else "not proved") prefix line in
+    if not (quiet && is_proved) then Printf.printf "%s  %s\n" (if is_proved then "proved    " else "not proved") line in
   let all = A.accept c in
-  let frame = all || A.accept { c with A.claims = [] } in
+  let frame = all || A.accept bare in
   say frame "the curve, its invariants, the rate, the rotation-minimizing frame on [0, 1]";
-  List.iter2 (fun line l -> say (all || frame && A.accept { c with A.claims = [l] }) line) said c.A.claims;
+  List.iter2 (fun line x -> say (all || frame && A.accept { bare with A.claims = [x] }) line) found.claims c.A.claims;
+  List.iter2 (fun line x -> say (all || frame && A.accept { bare with A.decisions = [x] }) line) found.decisions c.A.decisions;
+  if not quiet then Printf.printf "left out    %s\n" (String.concat ", " found.left_out);
   all
 
 (* The certificate as a term of Coq, and the theorem that it is true. *)
@@ -177,18 +216,26 @@ let write_coq (c : A.certificate) =
   let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden) in
   let list a = "[" ^ String.concat "; " a ^ "]" in
   let polys l = String.concat "\n  " (List.map (fun a -> list (List.map q a)) l) in
+  let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c) in
+  let decision = function
+    | A.Regular -> "Regular" | A.NoInflection -> "NoInflection" | A.NotLine -> "NotLine" | A.NotPlanar -> "NotPlanar"
+    | A.NotHelical -> "NotHelical" | A.ErfIsRmf -> "ErfIsRmf" | A.ErfIsNotRmf -> "ErfIsNotRmf"
+    | A.Line l -> "Line " ^ vector l
+    | A.Planar l -> "Planar " ^ vector l
+    | A.Helical (l, c) -> Printf.sprintf "Helical %s (%s)" (vector l) (q c)
+    | A.Rrmf (re, im) -> Printf.sprintf "Rrmf %s %s" (list (List.map q re)) (list (List.map q im)) in
   let bend = match c.A.bend with
     | None -> "None"
     | Some ((re, im), g) -> Printf.sprintf "(Some (%s))" (String.concat ", " (List.map (fun a -> list (List.map q a)) [re; im; g])) in
   let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
   Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import verified_checker.\nImport ListNotations.\n\
     Open Scope Q_scope.\n\nDefinition the_certificate := Certificate\n  (* u, v, p, q and f *)\n  %s\n\
-    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* a fraction *)\n  (%s, %s)\n  (* t, theta, radius *)\n  %s.\n\n\
+    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* a fraction *)\n  (%s, %s)\n  (* t, theta, radius *)\n  %s\n  (* decisions *)\n  %s.\n\n\
     Theorem it_is_true : statement the_certificate.\nProof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
     (polys [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier])
     (polys [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im])
     (polys [c.A.numerator; c.A.denominator; c.A.common]) bend (list (List.map q (fst c.A.rational))) (list (List.map q (snd c.A.rational)))
-    (list (List.map claim c.A.claims))
+    (list (List.map claim c.A.claims)) (list (List.map decision c.A.decisions))
 
 let read name =
   let channel = if name = "-" then stdin else open_in_bin name in
@@ -200,8 +247,8 @@ let read name =
 (* Exit status: 0 all is accepted, 1 something is not, 2 it cannot be read. *)
 let check quiet to_coq name =
   match certificate "" (parse (read name)) with
-  | said, c when to_coq -> ignore said; write_coq c; 0
-  | found -> if judge "" quiet found then (print_endline "accepted"; 0) else (print_endline "not accepted"; 1)
+  | found when to_coq -> write_coq found.certificate; 0
+  | found -> if judge quiet found then (print_endline "accepted"; 0) else (print_endline "not accepted"; 1)
   | exception Malformed what -> Printf.eprintf "check_certificate_verified: %s: %s\n" name what; 2
   | exception Sys_error what -> Printf.eprintf "check_certificate_verified: %s\n" what; 2
 

@@ -14,16 +14,25 @@ Open Scope R_scope.
 (* |theta(time) - angle| <= radius. *)
 Record claim := Claim { time : Q; angle : Q; radius : Q }.
 
+(* What kind of curve it is, with witnesses: vectors, a cosine, w. *)
+Inductive decision :=
+  | Regular | NoInflection
+  | Line (direction : Q * Q * Q) | NotLine
+  | Planar (normal : Q * Q * Q) | NotPlanar
+  | Helical (axis : Q * Q * Q) (cos_squared : Q) | NotHelical
+  | ErfIsRmf | ErfIsNotRmf
+  | Rrmf (re im : list Q).
+
 (* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle to the
    Euler-Rodrigues frame, numerator/denominator, and what it was reduced by; where the angles are those to the Frenet
    frame, `bend` is Re gamma, Im gamma and G, g = G gamma; a fraction that may be an antiderivative of the rate, of which
-   nothing is stated: it is for angles that are exact; the angles. *)
+   nothing is stated: it is for angles that are exact; the angles; the decisions. *)
 Record certificate := Certificate {
   cu : list Q; cv : list Q; cp : list Q; cq : list Q; multiplier : list Q;
   cx' : list Q; cy' : list Q; cz' : list Q; csigma : list Q; ch : list Q; cg_re : list Q; cg_im : list Q;
   numerator : list Q; denominator : list Q; common : list Q;
   bend : option (list Q * list Q * list Q); rational : list Q * list Q;
-  claims : list claim }.
+  claims : list claim; decisions : list decision }.
 
 (* The value of a polynomial. *)
 Fixpoint value (a : list Q) (x : R) : R := match a with [] => 0 | c :: a => Q2R c + x * value a x end.
@@ -73,6 +82,39 @@ Definition frenet_statement (A0 A0' : R -> quaternion) (a b a' b' : R -> R) :=
     (fun t => 0 + RInt (gamma_rate A0 A0' a b a' b') 0 t)
     (fun t => e1 (A0 t)) (gamma_normal A0 a b) (gamma_binormal A0 a b).
 
+(* x, y, z, of which r' is a multiple. *)
+Definition xyz (A0 : R -> quaternion) s := rotated (A0 s) (Vector 1 0 0).
+Definition real_vector (l : Q * Q * Q) := let '(x, y, z) := l in Vector (Q2R x) (Q2R y) (Q2R z).
+Definition no_vector := Vector 0 0 0.
+Definition triple_product a b c := dot a (cross b c).
+(* The determinant of four rows x, y, z, sigma. *)
+Definition det4 (a : vector) (k : R) b l c m d n :=
+  n * triple_product a b c - m * triple_product a b d + l * triple_product a c d - k * triple_product b c d.
+
+(* A = k A0, r' = f A i A*. *)
+Definition decision_statement (f k : R -> R) (A0 A0' : R -> quaternion) (d : decision) : Prop :=
+  match d with
+  | Regular => forall s, 0 <= s <= 1 -> f s <> 0 /\ k s <> 0
+  | NoInflection =>
+      (forall s, 0 <= s <= 1 -> 0 < g_squared (A0 s) (A0' s)) \/ (forall s, g_squared (A0 s) (A0' s) = 0)
+  | Line l => real_vector l <> no_vector /\ forall s, cross (xyz A0 s) (real_vector l) = no_vector
+  | NotLine => exists s t, cross (xyz A0 s) (xyz A0 t) <> no_vector
+  | Planar l => real_vector l <> no_vector /\ forall s, dot (real_vector l) (xyz A0 s) = 0
+  | NotPlanar => exists s t u, triple_product (xyz A0 s) (xyz A0 t) (xyz A0 u) <> 0
+  | Helical l c =>
+      (exists s t u, triple_product (xyz A0 s) (xyz A0 t) (xyz A0 u) <> 0) /\ real_vector l <> no_vector /\
+      forall s, dot (real_vector l) (xyz A0 s) ^ 2 = Q2R c * dot (real_vector l) (real_vector l) * sigma (A0 s) ^ 2
+  | NotHelical => exists s t u v,
+      det4 (xyz A0 s) (sigma (A0 s)) (xyz A0 t) (sigma (A0 t)) (xyz A0 u) (sigma (A0 u)) (xyz A0 v) (sigma (A0 v)) <> 0
+  | ErfIsRmf => forall s, h (A0 s) (A0' s) = 0
+  | ErfIsNotRmf => exists s, h (A0 s) (A0' s) <> 0
+  | Rrmf re im =>
+      (exists s, norm_squared (value re) (value im) s <> 0) /\
+      exists a' b' : R -> R, forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s) /\
+        (value re s * b' s - value im s * a' s) * sigma (A0 s) =
+          - h (A0 s) (A0' s) * norm_squared (value re) (value im) s
+  end.
+
 Definition statement (c : certificate) :=
   let A s := Quaternion (value (cu c) s) (value (cv c) s) (value (cp c) s) (value (cq c) s) in
   let r' s := Vector (value (cx' c) s) (value (cy' c) s) (value (cz' c) s) in
@@ -92,6 +134,8 @@ Definition statement (c : certificate) :=
     (forall t, clear A0 t ->
       r' t = scale (value (multiplier c) t * (at_real k t / IZR (Zpos n)) ^ 2 * sigma (A0 t)) (e1 (A0 t))) /\
     erf_statement A0 A0' /\
+    (forall x, In x (decisions c) ->
+      decision_statement (value (multiplier c)) (fun s => at_real k s / IZR (Zpos n)) A0 A0' x) /\
     (* The angles. *)
     match bend c with
     | None => angles_statement (clear A0) (rate A0 A0') (claims c)
@@ -254,6 +298,71 @@ Definition check_bend (depth : nat) (A A0 : curve) (denom : positive) (n d : pol
   is_positive depth norm && Nat.eqb (length n') (length d') &&
   forallb (check_angle depth [isigma A0; norm; d'] n' d') claims.
 
+(* Decisions. That polynomials are independent is shown by their values at integers, looked for one after another. *)
+Fixpoint at_integer (a : poly) (t : Z) : Z := match a with [] => 0 | c :: a => c + t * at_integer a t end%Z.
+Definition ixyz A t := (at_integer (ix A) t, at_integer (iy A) t, at_integer (iz A) t).
+Definition icross (a b : Z * Z * Z) : Z * Z * Z :=
+  let '(x, y, z) := a in let '(u, v, w) := b in (y * w - z * v, z * u - x * w, x * v - y * u)%Z.
+Definition idot (a b : Z * Z * Z) : Z := let '(x, y, z) := a in let '(u, v, w) := b in (x * u + y * v + z * w)%Z.
+Definition inonzero (a : Z * Z * Z) := let '(x, y, z) := a in negb ((x =? 0) && (y =? 0) && (z =? 0))%Z.
+Definition idet4 a k b l c m d n :=
+  (n * idot a (icross b c) - m * idot a (icross b d) + l * idot a (icross c d) - k * idot b (icross c d))%Z.
+Definition first_of (A : curve) (p : Z -> bool) : Z :=
+  match find p (map Z.of_nat (seq 0 (2 * (length (iu A) + length (iv A) + length (ip A) + length (iq A))))) with
+  | Some t => t
+  | None => 0%Z
+  end.
+Definition three_points A :=
+  let s := first_of A (fun s => inonzero (ixyz A s)) in
+  let t := first_of A (fun t => inonzero (icross (ixyz A s) (ixyz A t))) in
+  let u := first_of A (fun u => negb (idot (ixyz A s) (icross (ixyz A t) (ixyz A u)) =? 0)%Z) in
+  (s, t, u).
+Definition in_plane A (l : Q * Q * Q) :=
+  let '(x, y, z) := l in
+  let d := (Qden x * Qden y * Qden z)%positive in
+  let c (q : Q) := (Qnum q * (Zpos d / Zpos (Qden q)))%Z in
+  (is_over d [x; y; z], (c x, c y, c z),
+   sum (sum (times (c x) (ix A)) (times (c y) (iy A))) (times (c z) (iz A))).
+Definition independent A :=
+  let '(s, t, u) := three_points A in negb (idot (ixyz A s) (icross (ixyz A t) (ixyz A u)) =? 0)%Z.
+
+Definition one_sign (depth : nat) (a : poly) := if is_positive depth a then true else is_positive depth (times (-1) a).
+Definition check_decision (depth : nat) (f k : poly) (A0 : curve) (d : decision) : bool :=
+  let A0' := derived_curve A0 in
+  let h := ih A0 A0' in
+  match d with
+  | Regular => one_sign depth f && one_sign depth k
+  | NoInflection =>
+      let n := sum (prod (ig_re A0 A0') (ig_re A0 A0')) (prod (ig_im A0 A0') (ig_im A0 A0')) in
+      if is_zero n then true else is_positive depth n
+  | Line l =>
+      let '(is, (a, b, c), _) := in_plane A0 l in
+      is && inonzero (a, b, c) && same (times c (iy A0)) (times b (iz A0)) &&
+      same (times a (iz A0)) (times c (ix A0)) && same (times b (ix A0)) (times a (iy A0))
+  | NotLine => let '(s, t, _) := three_points A0 in inonzero (icross (ixyz A0 s) (ixyz A0 t))
+  | Planar l => let '(is, a, along) := in_plane A0 l in is && inonzero a && is_zero along
+  | NotPlanar => independent A0
+  | Helical l c =>
+      let '(is, a, along) := in_plane A0 l in
+      is && inonzero a && independent A0 &&
+      same (times (Zpos (Qden c)) (prod along along)) (times (Qnum c * idot a a) (prod (isigma A0) (isigma A0)))
+  | NotHelical =>
+      let '(s, t, u) := three_points A0 in
+      let x := at_integer (isigma A0) in
+      let det v := idet4 (ixyz A0 s) (x s) (ixyz A0 t) (x t) (ixyz A0 u) (x u) (ixyz A0 v) (x v) in
+      negb (det (first_of A0 (fun v => negb (det v =? 0)%Z)) =? 0)%Z
+  | ErfIsRmf => is_zero h
+  | ErfIsNotRmf => negb (at_integer h (first_of A0 (fun s => negb (at_integer h s =? 0)%Z)) =? 0)%Z
+  | Rrmf re im =>
+      let e := denominator_of (re ++ im) in
+      let a := over e re in
+      let b := over e im in
+      let n := sum (prod a a) (prod b b) in
+      is_over e re && is_over e im &&
+      existsb (fun s => negb (at_integer n s =? 0)%Z) (map Z.of_nat (seq 0 (length n))) &&
+      same (prod (diff (prod a (derived b)) (prod b (derived a))) (isigma A0)) (times (-1) (prod h n))
+  end.
+
 Definition accept_within (depth : nat) (c : certificate) : bool :=
   let d := denominator_of (cu c ++ cv c ++ cp c ++ cq c) in
   let A := Curve (over d (cu c)) (over d (cv c)) (over d (cp c)) (over d (cq c)) in
@@ -284,6 +393,7 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
   same (ip A) (prod k (ip A0)) && same (iq A) (prod k (iq A0)) &&
   is_positive depth t &&
   same (times (-2) (prod (ih A0 (derived_curve A0)) d1)) (prod n1 t) &&
+  forallb (check_decision depth f k A0) (decisions c) &&
   match bend c with
   | None => Nat.eqb (length n1) (length d1) && forallb (fun x => if check_angle depth [t; d1] n1 d1 x then true else check_exact depth A0 n1 d1 (rational c) x) (claims c)
   | Some g => check_bend depth A A0 d n1 d1 g (claims c)
@@ -635,6 +745,14 @@ Qed.
 
 End Frames.
 
+Lemma derivative_over (F : R -> R) a e s : 0 < e -> (forall s, F s = at_real a s / e) ->
+  is_derive F s (at_real (derived a) s / e).
+Proof.
+  intros E V; apply (is_derive_ext (fun s => / e * at_real a s)); [intro; rewrite V; apply Rmult_comm |].
+  replace (at_real (derived a) s / e) with (/ e * at_real (derived a) s) by (field; lra).
+  apply is_derive_scal, at_derived.
+Qed.
+
 (* The angles to the Frenet frame. *)
 Lemma check_bend_sound depth A A0 denom n d (At : R -> quaternion) re im G l :
   (forall s, At s = multiple (/ IZR (Zpos denom)) (reals A s)) ->
@@ -661,14 +779,8 @@ Proof.
     by (intro s; unfold a; rewrite value_over by assumption; field; lra).
   assert (Vb : forall s, value im s = at_real b s / IZR (Zpos e))
     by (intro s; unfold b; rewrite value_over by assumption; field; lra).
-  assert (Da : forall s, is_derive (value re) s (at_real (derived a) s / IZR (Zpos e))).
-  { intro s; apply (is_derive_ext (fun s => / IZR (Zpos e) * at_real a s)); [intro; rewrite Va; apply Rmult_comm |].
-    replace (at_real (derived a) s / IZR (Zpos e)) with (/ IZR (Zpos e) * at_real (derived a) s) by (field; lra).
-    apply is_derive_scal, at_derived. }
-  assert (Db : forall s, is_derive (value im) s (at_real (derived b) s / IZR (Zpos e))).
-  { intro s; apply (is_derive_ext (fun s => / IZR (Zpos e) * at_real b s)); [intro; rewrite Vb; apply Rmult_comm |].
-    replace (at_real (derived b) s / IZR (Zpos e)) with (/ IZR (Zpos e) * at_real (derived b) s) by (field; lra).
-    apply is_derive_scal, at_derived. }
+  pose proof (fun s => derivative_over (value re) a (IZR (Zpos e)) s Ep Va) as Da.
+  pose proof (fun s => derivative_over (value im) b (IZR (Zpos e)) s Ep Vb) as Db.
   assert (Vn : forall s, norm_squared (value re) (value im) s = at_real norm s / (IZR (Zpos e) * IZR (Zpos e))).
   { intro s; unfold norm_squared, norm, sum, prod; rewrite Va, Vb, at_plus, !at_mult; field; lra. }
   assert (Np : forall s, 0 < at_real norm s -> 0 < norm_squared (value re) (value im) s).
@@ -707,6 +819,149 @@ Proof.
         unfold sum at 1, prod at 1 2 3; rewrite at_plus, !at_mult, <- (R1 s S).
         unfold gamma_rate; rewrite Vn, Va, Vb.
         unfold spin, diff, prod; rewrite at_minus, !at_mult; field; lra.
+Qed.
+
+(* ---- The decisions *)
+
+Lemma at_integer_real a t : IZR (at_integer a t) = at_real a (IZR t).
+Proof.
+  induction a as [| c a IH]; cbn [at_integer at_real]; [reflexivity |].
+  rewrite plus_IZR, mult_IZR, IH; reflexivity.
+Qed.
+
+Definition real3 (a : Z * Z * Z) := let '(x, y, z) := a in Vector (IZR x) (IZR y) (IZR z).
+
+Lemma real_ixyz A t : real3 (ixyz A t) = xyz (reals A) (IZR t).
+Proof. unfold xyz; rewrite <- at_ixyz; unfold ixyz, real3; rewrite !at_integer_real; reflexivity. Qed.
+Lemma real_icross a b : real3 (icross a b) = cross (real3 a) (real3 b).
+Proof.
+  destruct a as [[x y] z], b as [[u v] w]; unfold cross; apply vector_eq; simpl;
+    rewrite minus_IZR, !mult_IZR; reflexivity.
+Qed.
+Lemma real_idot a b : IZR (idot a b) = dot (real3 a) (real3 b).
+Proof. destruct a as [[x y] z], b as [[u v] w]; unfold dot; simpl; rewrite !plus_IZR, !mult_IZR; reflexivity. Qed.
+
+Lemma inonzero_real a : inonzero a = true -> real3 a <> no_vector.
+Proof.
+  destruct a as [[x y] z]; unfold inonzero; intros N E; injection E as X Y Z; apply eq_IZR in X, Y, Z; subst.
+  discriminate.
+Qed.
+
+Lemma not_zero z : negb (z =? 0)%Z = true -> IZR z <> 0.
+Proof. intros N%negb_true_iff%Z.eqb_neq E; apply N, eq_IZR, E. Qed.
+
+Lemma independent_real A : independent A = true ->
+  exists s t u, triple_product (xyz (reals A) s) (xyz (reals A) t) (xyz (reals A) u) <> 0.
+Proof.
+  unfold independent; destruct (three_points A) as [[s t] u]; intro N; apply not_zero in N.
+  exists (IZR s), (IZR t), (IZR u); unfold triple_product.
+  rewrite <- !real_ixyz, <- real_icross, <- real_idot; exact N.
+Qed.
+
+(* With the common denominator e the vector l is a/e. *)
+Lemma in_plane_real A l is a along : in_plane A l = (is, a, along) -> is = true ->
+  exists e, 0 < e /\ real3 a = scale e (real_vector l) /\
+    forall s, at_real along s = dot (real3 a) (xyz (reals A) s).
+Proof.
+  destruct l as [[x y] z]; unfold in_plane; intros E I; injection E as <- <- <-.
+  set (d := (Qden x * Qden y * Qden z)%positive) in *.
+  exists (IZR (Zpos d)); split; [apply positive_real | split].
+  - cbn [is_over forallb] in I; rewrite !andb_true_iff, !Z.eqb_eq in I; destruct I as (X & Y & Z & _).
+    assert (K : forall q, (Zpos d / Zpos (Qden q) * Zpos (Qden q) = Zpos d)%Z ->
+        IZR (Qnum q * (Zpos d / Zpos (Qden q))) = IZR (Zpos d) * Q2R q).
+    { intros q H; rewrite <- H at 2; unfold Q2R; rewrite !mult_IZR; field; apply IZR_neq; discriminate. }
+    apply vector_eq; cbn [real3 vx vy vz scale real_vector]; apply K; assumption.
+  - intro s; unfold xyz; rewrite <- at_ixyz; unfold sum, dot; rewrite !at_plus, !at_times; reflexivity.
+Qed.
+
+Lemma one_sign_real depth a s : one_sign depth a = true -> 0 <= s <= 1 -> at_real a s <> 0.
+Proof.
+  unfold one_sign; destruct (is_positive depth a) eqn:P; intros N S.
+  - apply Rgt_not_eq; exact (is_positive_sound _ _ P s S).
+  - pose proof (is_positive_sound _ _ N s S) as H; rewrite at_times in H; lra.
+Qed.
+
+Lemma scale_nonzero e l : 0 < e -> scale e l <> no_vector -> l <> no_vector.
+Proof. intros E N ->; apply N, vector_eq; simpl; ring. Qed.
+
+Lemma check_decision_sound depth f k A0 (fr : R -> R) (e n : positive) x :
+  (forall s, fr s = at_real f s / IZR (Zpos e)) ->
+  check_decision depth f k A0 x = true ->
+  decision_statement fr (fun s => at_real k s / IZR (Zpos n)) (reals A0) (reals (derived_curve A0)) x.
+Proof.
+  intros F H; pose proof (positive_real e) as Ep; pose proof (positive_real n) as Np.
+  destruct x; cbn [check_decision decision_statement] in *.
+  - apply andb_true_iff in H as [Hf Hk]; intros s S; rewrite F.
+    pose proof (one_sign_real _ _ _ Hf S); pose proof (one_sign_real _ _ _ Hk S).
+    split; apply Rmult_integral_contrapositive_currified; auto; apply Rinv_neq_0_compat; lra.
+  - set (m := sum _ _) in H.
+    assert (M : forall s, g_squared (reals A0 s) (reals (derived_curve A0) s) = at_real m s).
+    { intro s; unfold g_squared, m, sum, prod; rewrite at_plus, !at_mult, at_ig_re, at_ig_im; reflexivity. }
+    destruct (is_zero m) eqn:Z; [right | left]; intros s; [| intro S]; rewrite M;
+      [exact (at_zero _ s Z) | exact (is_positive_sound _ _ H s S)].
+  - destruct (in_plane A0 direction) as [[is [[a b] c]] along] eqn:E.
+    rewrite !andb_true_iff in H; destruct H as ((((I & N) & S1) & S2) & S3).
+    destruct (in_plane_real _ _ _ _ _ E I) as (d & D & L & _).
+    apply inonzero_real in N; rewrite L in N; split; [exact (scale_nonzero d _ D N) |].
+    intro s; apply (at_same _ _ s) in S1, S2, S3; rewrite !at_times in S1, S2, S3.
+    assert (Z : cross (xyz (reals A0) s) (scale d (real_vector direction)) = no_vector).
+    { rewrite <- L; unfold xyz; rewrite <- at_ixyz; apply vector_eq; unfold cross; cbn [vx vy vz real3 no_vector]; lra. }
+    destruct (real_vector direction) as [x y z]; destruct (xyz (reals A0) s) as [u v w].
+    unfold cross, scale in *; cbn [vx vy vz] in *; injection Z as Z1 Z2 Z3.
+    apply vector_eq; cbn [vx vy vz no_vector]; apply (Rmult_eq_reg_l d); lra.
+  - destruct (three_points A0) as [[s t] u]; apply inonzero_real in H.
+    exists (IZR s), (IZR t); rewrite <- !real_ixyz, <- real_icross; exact H.
+  - destruct (in_plane A0 normal) as [[is a] along] eqn:E.
+    rewrite !andb_true_iff in H; destruct H as ((I & N) & Z).
+    destruct (in_plane_real _ _ _ _ _ E I) as (d & D & L & V).
+    apply inonzero_real in N; rewrite L in N; split; [exact (scale_nonzero d _ D N) |].
+    intro s; specialize (V s); rewrite (at_zero _ s Z), L in V.
+    apply (Rmult_eq_reg_l d); [| lra]; rewrite Rmult_0_r, V; unfold dot; simpl; ring.
+  - exact (independent_real _ H).
+  - destruct (in_plane A0 axis) as [[is a] along] eqn:E.
+    rewrite !andb_true_iff in H; destruct H as (((I & N) & T) & S).
+    destruct (in_plane_real _ _ _ _ _ E I) as (d & D & L & V).
+    apply inonzero_real in N; rewrite L in N; split; [exact (independent_real _ T) |].
+    split; [exact (scale_nonzero d _ D N) |].
+    intro s; apply (at_same _ _ s) in S; unfold prod in S.
+    rewrite !at_times, !at_mult, mult_IZR, real_idot, V, at_isigma, L in S.
+    pose proof (positive_real (Qden cos_squared)) as Cp; unfold Q2R.
+    destruct (real_vector axis) as [x y z]; destruct (xyz (reals A0) s) as [u v w].
+    unfold dot, scale in *; cbn [vx vy vz] in *.
+    apply (Rmult_eq_reg_l (IZR (QDen cos_squared) * (d * d)));
+      [| repeat apply Rmult_integral_contrapositive_currified; lra].
+    match type of S with ?l = ?r => transitivity l; [ring |]; rewrite S end; field; lra.
+  - destruct (three_points A0) as [[s t] u].
+    set (v := first_of _ _) in H; apply not_zero in H.
+    exists (IZR s), (IZR t), (IZR u), (IZR v).
+    unfold idet4 in H; rewrite !minus_IZR, plus_IZR, minus_IZR, !mult_IZR, !real_idot, !real_icross, !real_ixyz,
+      !at_integer_real, !at_isigma in H || rewrite minus_IZR, plus_IZR, minus_IZR, !mult_IZR, !real_idot, !real_icross, !real_ixyz,
+      !at_integer_real, !at_isigma in H.
+    exact H.
+  - intro s; rewrite <- at_ih; exact (at_zero _ s H).
+  - set (s := first_of _ _) in H; apply not_zero in H; rewrite at_integer_real, at_ih in H.
+    exists (IZR s); exact H.
+  - set (d := denominator_of (re ++ im)) in *; set (a := over d re) in *; set (b := over d im) in *.
+    rewrite !andb_true_iff in H; destruct H as (((Ore & Oim) & X) & S).
+    pose proof (positive_real d) as Dp.
+    assert (Va : forall s, value re s = at_real a s / IZR (Zpos d))
+      by (intro s; unfold a; rewrite value_over by assumption; field; lra).
+    assert (Vb : forall s, value im s = at_real b s / IZR (Zpos d))
+      by (intro s; unfold b; rewrite value_over by assumption; field; lra).
+    assert (Vn : forall s, norm_squared (value re) (value im) s =
+        at_real (sum (prod a a) (prod b b)) s / (IZR (Zpos d) * IZR (Zpos d))).
+    { intro s; unfold norm_squared, sum, prod; rewrite Va, Vb, at_plus, !at_mult; field; lra. }
+    split.
+    + apply existsb_exists in X as (s & _ & N); apply not_zero in N; rewrite at_integer_real in N.
+      exists (IZR s); rewrite Vn; apply Rmult_integral_contrapositive_currified; [exact N |].
+      apply Rinv_neq_0_compat, Rmult_integral_contrapositive_currified; lra.
+    + exists (fun s => at_real (derived a) s / IZR (Zpos d)), (fun s => at_real (derived b) s / IZR (Zpos d)).
+      intro s; split; [exact (derivative_over _ _ _ s Dp Va) | split; [exact (derivative_over _ _ _ s Dp Vb) |]].
+      apply (at_same _ _ s) in S; unfold prod at 1, diff in S.
+      rewrite at_mult, at_minus, at_times in S; unfold prod at 1 2 3 in S; rewrite !at_mult, at_ih, at_isigma in S.
+      rewrite Vn, Va, Vb; apply (Rmult_eq_reg_l (IZR (Zpos d) * IZR (Zpos d)));
+        [| repeat apply Rmult_integral_contrapositive_currified; lra].
+      match type of S with ?l = ?r => transitivity l; [field; lra |]; rewrite S end; field; lra.
 Qed.
 
 Theorem accept_within_sound depth c : accept_within depth c = true -> statement c.
@@ -785,8 +1040,14 @@ Proof.
   unfold statement; exists (fun s => multiple (/ IZR (Zpos d)) (reals (derived_curve A) s)).
   split; [exact DA | split; [exact INV | split; [exact RATE |]]].
   exists k, d, (reals A0), (reals (derived_curve A0)).
-  split; [assumption | split; [exact E0 | split; [apply reals_derivative | split; [exact ALONG | split]]]].
+  split; [assumption | split; [exact E0 | split; [apply reals_derivative | split; [exact ALONG | split; [| split]]]]].
   - apply erf_holds; auto using reals_derivative, reals_continuous.
+  - intros x X.
+    match goal with
+    | H : forallb (check_decision _ _ _ _) _ = true |- _ => rewrite forallb_forall in H; specialize (H x X); rename H into CH
+    end.
+    apply (check_decision_sound _ _ _ _ (value (multiplier c)) e d) in CH; [exact CH |].
+    intro s; unfold f; rewrite value_over by assumption; field; lra.
   - match goal with
     | H : same (times (-2) _) (prod n1 _) = true |- _ => rename H into SAME
     end.
