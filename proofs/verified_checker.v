@@ -1,151 +1,11 @@
 (* A checker of certificates (docs/certificate.md) that is proved right: if `accept c` computes to true, then what the
-   certificate c says of its curve, of the rotation-minimizing frame and of its angles is true of real numbers.
-
-   First what a certificate is and what it states; then how it is checked; then the proof. The statement uses the
-   definitions of rotation_minimizing.v. *)
+   certificate c says of its curve, of the rotation-minimizing frame and of its angles is true of real numbers:
+   `statement c` of certificate_statement.v. First how it is checked; then the proof. *)
 From Coq Require Import Reals ZArith QArith Qreals List Lra Lia Bool.
 From Coquelicot Require Import Coquelicot.
-Require Import rotation_minimizing polynomials quadrature.
+Require Import rotation_minimizing polynomials quadrature certificate_statement.
 Import ListNotations.
 Open Scope R_scope.
-
-(* ---- A certificate and what it states. Polynomials are lists of their coefficients from the constant term up. *)
-
-(* |theta(time) - angle| <= radius. *)
-Record claim := Claim { time : Q; angle : Q; radius : Q }.
-
-(* What kind of curve it is, with witnesses: vectors, a cosine, w. *)
-Inductive decision :=
-  | Regular | NoInflection
-  | Line (direction : Q * Q * Q) | NotLine
-  | Planar (normal : Q * Q * Q) | NotPlanar
-  | Helical (axis : Q * Q * Q) (cos_squared : Q) | NotHelical
-  | ErfIsRmf | ErfIsNotRmf
-  | Rrmf (re im : list Q).
-
-(* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle to the
-   Euler-Rodrigues frame, numerator/denominator, and what it was reduced by; where the angles are those to the Frenet
-   frame, `bend` is Re gamma, Im gamma and G, g = G gamma; a fraction that may be an antiderivative of the rate, of which
-   nothing is stated: it is for angles that are exact; the angles; the decisions. *)
-Record certificate := Certificate {
-  cu : list Q; cv : list Q; cp : list Q; cq : list Q; multiplier : list Q;
-  cx' : list Q; cy' : list Q; cz' : list Q; csigma : list Q; ch : list Q; cg_re : list Q; cg_im : list Q;
-  numerator : list Q; denominator : list Q; common : list Q;
-  bend : option (list Q * list Q * list Q); rational : list Q * list Q;
-  claims : list claim; decisions : list decision }.
-
-(* The value of a polynomial. *)
-Fixpoint value (a : list Q) (x : R) : R := match a with [] => 0 | c :: a => Q2R c + x * value a x end.
-
-(* What is between 0 and t, both included. *)
-Definition within (t s : R) := Rmin 0 t <= s <= Rmax 0 t.
-(* Where A is reached from 0 without a zero. *)
-Definition clear (A : R -> quaternion) (t : R) := forall s, within t s -> 0 < sigma (A s).
-
-Definition multiple (k : R) (a : quaternion) := Quaternion (k * qu a) (k * qv a) (k * qp a) (k * qq a).
-
-(* The angle of the rate w is theta, and f, g turned by it are with e a rotation-minimizing frame on D, and but for a
-   constant turn the only one. *)
-Definition frame_statement (D : R -> Prop) (w theta : R -> R) (e f g : R -> vector) :=
-  let f2 t := turn2 (theta t) (f t) (g t) in
-  let f3 t := turn3 (theta t) (f t) (g t) in
-  open_interval D /\ (forall t, 0 <= t <= 1 -> D t) /\
-  theta 0 = 0 /\ (forall t, D t -> is_derive theta t (w t)) /\
-  rotation_minimizing D e f2 f3 /\
-  (forall g2 g3, rotation_minimizing D e g2 g3 ->
-    exists a, forall t, D t -> g2 t = turn2 a (f2 t) (f3 t) /\ g3 t = turn3 a (f2 t) (f3 t)).
-
-(* The angle of this rate is, at each time claimed, within the radius of what is claimed, and D reaches there. *)
-Definition angles_statement (D : R -> Prop) (w : R -> R) (l : list claim) :=
-  forall x, In x l ->
-    D (Q2R (time x)) /\ Rabs (RInt w 0 (Q2R (time x)) - Q2R (angle x)) <= Q2R (radius x).
-
-(* Of A0, which A is a multiple of and which has no zero on [0, 1]. *)
-Definition rate (A0 A0' : R -> quaternion) s := -2 * h (A0 s) (A0' s) / sigma (A0 s).
-Definition erf_statement (A0 A0' : R -> quaternion) :=
-  frame_statement (clear A0) (rate A0 A0') (fun t => 0 + RInt (rate A0 A0') 0 t)
-    (fun t => e1 (A0 t)) (fun t => e2 (A0 t)) (fun t => e3 (A0 t)).
-
-(* Of gamma = a + i b, where neither A0 nor gamma has a zero: the Frenet frame, with the normal and the binormal
-   turned over where G is negative. *)
-Definition norm_squared (a b : R -> R) s := a s * a s + b s * b s.
-Definition both_clear (A0 : R -> quaternion) (a b : R -> R) (t : R) :=
-  forall s, within t s -> 0 < sigma (A0 s) /\ 0 < norm_squared a b s.
-Definition gamma_rate (A0 A0' : R -> quaternion) (a b a' b' : R -> R) s :=
-  rate A0 A0' s + (a s * b' s - b s * a' s) / norm_squared a b s.
-Definition gamma_normal (A0 : R -> quaternion) (a b : R -> R) s :=
-  scale (/ sqrt (norm_squared a b s)) (add (scale (a s) (e2 (A0 s))) (scale (- b s) (e3 (A0 s)))).
-Definition gamma_binormal (A0 : R -> quaternion) (a b : R -> R) s :=
-  scale (/ sqrt (norm_squared a b s)) (add (scale (b s) (e2 (A0 s))) (scale (a s) (e3 (A0 s)))).
-Definition frenet_statement (A0 A0' : R -> quaternion) (a b a' b' : R -> R) :=
-  frame_statement (both_clear A0 a b) (gamma_rate A0 A0' a b a' b')
-    (fun t => 0 + RInt (gamma_rate A0 A0' a b a' b') 0 t)
-    (fun t => e1 (A0 t)) (gamma_normal A0 a b) (gamma_binormal A0 a b).
-
-(* x, y, z, of which r' is a multiple. *)
-Definition xyz (A0 : R -> quaternion) s := rotated (A0 s) (Vector 1 0 0).
-Definition real_vector (l : Q * Q * Q) := let '(x, y, z) := l in Vector (Q2R x) (Q2R y) (Q2R z).
-Definition no_vector := Vector 0 0 0.
-Definition triple_product a b c := dot a (cross b c).
-(* The determinant of four rows x, y, z, sigma. *)
-Definition det4 (a : vector) (k : R) b l c m d n :=
-  n * triple_product a b c - m * triple_product a b d + l * triple_product a c d - k * triple_product b c d.
-
-(* A = k A0, r' = f A i A*. *)
-Definition decision_statement (f k : R -> R) (A0 A0' : R -> quaternion) (d : decision) : Prop :=
-  match d with
-  | Regular => forall s, 0 <= s <= 1 -> f s <> 0 /\ k s <> 0
-  | NoInflection =>
-      (forall s, 0 <= s <= 1 -> 0 < g_squared (A0 s) (A0' s)) \/ (forall s, g_squared (A0 s) (A0' s) = 0)
-  | Line l => real_vector l <> no_vector /\ forall s, cross (xyz A0 s) (real_vector l) = no_vector
-  | NotLine => exists s t, cross (xyz A0 s) (xyz A0 t) <> no_vector
-  | Planar l => real_vector l <> no_vector /\ forall s, dot (real_vector l) (xyz A0 s) = 0
-  | NotPlanar => exists s t u, triple_product (xyz A0 s) (xyz A0 t) (xyz A0 u) <> 0
-  | Helical l c =>
-      (exists s t u, triple_product (xyz A0 s) (xyz A0 t) (xyz A0 u) <> 0) /\ real_vector l <> no_vector /\
-      forall s, dot (real_vector l) (xyz A0 s) ^ 2 = Q2R c * dot (real_vector l) (real_vector l) * sigma (A0 s) ^ 2
-  | NotHelical => exists s t u v,
-      det4 (xyz A0 s) (sigma (A0 s)) (xyz A0 t) (sigma (A0 t)) (xyz A0 u) (sigma (A0 u)) (xyz A0 v) (sigma (A0 v)) <> 0
-  | ErfIsRmf => forall s, h (A0 s) (A0' s) = 0
-  | ErfIsNotRmf => exists s, h (A0 s) (A0' s) <> 0
-  | Rrmf re im =>
-      (exists s, norm_squared (value re) (value im) s <> 0) /\
-      exists a' b' : R -> R, forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s) /\
-        (value re s * b' s - value im s * a' s) * sigma (A0 s) =
-          - h (A0 s) (A0' s) * norm_squared (value re) (value im) s
-  end.
-
-Definition statement (c : certificate) :=
-  let A s := Quaternion (value (cu c) s) (value (cv c) s) (value (cp c) s) (value (cq c) s) in
-  let r' s := Vector (value (cx' c) s) (value (cy' c) s) (value (cz' c) s) in
-  exists A' : R -> quaternion, (forall s, quaternion_derivative A s (A' s)) /\
-  (* r' = f A i A*, and the invariants. *)
-  (forall s, r' s = scale (value (multiplier c) s) (rotated (A s) (Vector 1 0 0)) /\
-    value (csigma c) s = sigma (A s) /\ value (ch c) s = h (A s) (A' s) /\
-    value (cg_re c) s = g_re (A s) (A' s) /\ value (cg_im c) s = g_im (A s) (A' s)) /\
-  (* The rate. *)
-  (forall s, -2 * h (A s) (A' s) = value (numerator c) s * value (common c) s /\
-    sigma (A s) = value (denominator c) s * value (common c) s) /\
-  (* The preimage without its real zeros, which are those of the polynomial k. *)
-  exists (k : poly) (n : positive) (A0 A0' : R -> quaternion),
-    is_zero k = false /\ (forall s, A s = multiple (at_real k s / IZR (Zpos n)) (A0 s)) /\
-    (forall s, quaternion_derivative A0 s (A0' s)) /\
-    (* e1 is along r'. *)
-    (forall t, clear A0 t ->
-      r' t = scale (value (multiplier c) t * (at_real k t / IZR (Zpos n)) ^ 2 * sigma (A0 t)) (e1 (A0 t))) /\
-    erf_statement A0 A0' /\
-    (forall x, In x (decisions c) ->
-      decision_statement (value (multiplier c)) (fun s => at_real k s / IZR (Zpos n)) A0 A0' x) /\
-    (* The angles. *)
-    match bend c with
-    | None => angles_statement (clear A0) (rate A0 A0') (claims c)
-    | Some (re, im, G) =>
-        (forall s, g_re (A s) (A' s) = value G s * value re s /\ g_im (A s) (A' s) = value G s * value im s) /\
-        exists a' b' : R -> R,
-          (forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s)) /\
-          frenet_statement A0 A0' (value re) (value im) a' b' /\
-          angles_statement (both_clear A0 (value re) (value im)) (gamma_rate A0 A0' (value re) (value im) a' b') (claims c)
-    end.
 
 (* ---- How it is checked *)
 
@@ -276,7 +136,8 @@ Definition check_exact (depth : nat) (A0 : curve) (n d : poly) (ratio : list Q *
     same (prod (diff (prod (derived p) q) (prod p (derived q))) d) (prod n (prod q q)) && within_radius x w w
   else false.
 
-(* The angles to the Frenet frame: with gamma = (a + i b)/e over integers the rate is n/d + (a b' - b a')/(a a + b b). *)
+(* The angles to the Frenet frame: with gamma = (a + i b)/e over integers the rate is n/d + (a b' - b a')/(a a + b b).
+   A has the denominator `denom`. *)
 Definition check_bend (depth : nat) (A A0 : curve) (denom : positive) (n d : poly)
     (bend : list Q * list Q * list Q) (claims : list claim) :=
   let '(re, im, G) := bend in
@@ -395,7 +256,10 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
   same (times (-2) (prod (ih A0 (derived_curve A0)) d1)) (prod n1 t) &&
   forallb (check_decision depth f k A0) (decisions c) &&
   match bend c with
-  | None => Nat.eqb (length n1) (length d1) && forallb (fun x => if check_angle depth [t; d1] n1 d1 x then true else check_exact depth A0 n1 d1 (rational c) x) (claims c)
+  | None =>
+      Nat.eqb (length n1) (length d1) &&
+      forallb (fun x => if check_angle depth [t; d1] n1 d1 x then true
+        else check_exact depth A0 n1 d1 (rational c) x) (claims c)
   | Some g => check_bend depth A A0 d n1 d1 g (claims c)
   end.
 
@@ -471,7 +335,8 @@ Lemma within_ratio m n s : (0 < n)%Z -> m <> 0%Z -> within (IZR m / IZR n) s ->
   exists x, 0 <= x <= 1 /\ s = IZR m / IZR n * x.
 Proof.
   intros N M W; apply IZR_lt in N; apply IZR_neq in M.
-  assert (Z : IZR m / IZR n <> 0) by (intro E; apply M; apply (Rmult_eq_reg_r (/ IZR n)); [| apply Rinv_neq_0_compat; lra]; unfold Rdiv in E; lra).
+  assert (Z : IZR m / IZR n <> 0)
+    by (apply Rmult_integral_contrapositive_currified; [exact M | apply Rinv_neq_0_compat; lra]).
   exists (s / (IZR m / IZR n)); set (t := IZR m / IZR n) in *; split; [| field; exact Z].
   unfold within, Rmin, Rmax in W; destruct (Rle_dec 0 t).
   - split; [apply Rcomplements.Rdiv_le_0_compat | apply Rle_div_l]; lra.
@@ -534,7 +399,9 @@ Qed.
 
 Lemma positive_to_sound depth t a : positive_to depth t a = true ->
   forall s, within (Q2R t) s -> 0 < at_real a s.
-Proof. intro P; apply (stretched_positive (Qnum t) (Zpos (Qden t))); [reflexivity |]; exact (is_positive_sound _ _ P). Qed.
+Proof.
+  intro P; apply (stretched_positive (Qnum t) (Zpos (Qden t))); [reflexivity |]; exact (is_positive_sound _ _ P).
+Qed.
 
 Lemma at_padded n a s : at_real (padded n a) s = at_real a s.
 Proof.
@@ -663,7 +530,9 @@ Lemma at_itself t : within t t.
 Proof. unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra. Qed.
 
 Lemma clear_interval : open_interval (clear A0).
-Proof. apply (reached_interval (fun s => 0 < sigma (A0 s))); intros s P; exact (positive_open _ s (sigma_continuous s) P). Qed.
+Proof.
+  apply (reached_interval (fun s => 0 < sigma (A0 s))); intros s P; exact (positive_open _ s (sigma_continuous s) P).
+Qed.
 
 Lemma clear_on_unit t : 0 <= t <= 1 -> clear A0 t.
 Proof. intros T s S; unfold within in S; rewrite Rmin_left, Rmax_right in S by lra; apply no_zero; lra. Qed.
@@ -905,7 +774,8 @@ Proof.
     apply inonzero_real in N; rewrite L in N; split; [exact (scale_nonzero d _ D N) |].
     intro s; apply (at_same _ _ s) in S1, S2, S3; rewrite !at_times in S1, S2, S3.
     assert (Z : cross (xyz (reals A0) s) (scale d (real_vector direction)) = no_vector).
-    { rewrite <- L; unfold xyz; rewrite <- at_ixyz; apply vector_eq; unfold cross; cbn [vx vy vz real3 no_vector]; lra. }
+    { rewrite <- L; unfold xyz; rewrite <- at_ixyz; apply vector_eq; unfold cross;
+        cbn [vx vy vz real3 no_vector]; lra. }
     destruct (real_vector direction) as [x y z]; destruct (xyz (reals A0) s) as [u v w].
     unfold cross, scale in *; cbn [vx vy vz] in *; injection Z as Z1 Z2 Z3.
     apply vector_eq; cbn [vx vy vz no_vector]; apply (Rmult_eq_reg_l d); lra.
@@ -934,8 +804,7 @@ Proof.
   - destruct (three_points A0) as [[s t] u].
     set (v := first_of _ _) in H; apply not_zero in H.
     exists (IZR s), (IZR t), (IZR u), (IZR v).
-    unfold idet4 in H; rewrite !minus_IZR, plus_IZR, minus_IZR, !mult_IZR, !real_idot, !real_icross, !real_ixyz,
-      !at_integer_real, !at_isigma in H || rewrite minus_IZR, plus_IZR, minus_IZR, !mult_IZR, !real_idot, !real_icross, !real_ixyz,
+    unfold idet4 in H; rewrite minus_IZR, plus_IZR, minus_IZR, !mult_IZR, !real_idot, !real_icross, !real_ixyz,
       !at_integer_real, !at_isigma in H.
     exact H.
   - intro s; rewrite <- at_ih; exact (at_zero _ s H).
@@ -1008,7 +877,8 @@ Proof.
   assert (E0 : forall s, At s = multiple (at_real k s / IZR (Zpos d)) (reals A0 s)).
   { intro s; rewrite EA; unfold reals, multiple; cbn [qu qv qp qq].
     repeat match goal with
-    | H : same _ (prod k _) = true |- _ => apply (at_same _ _ s) in H; unfold prod in H; rewrite at_mult in H; rewrite H; clear H
+    | H : same _ (prod k _) = true |- _ =>
+        apply (at_same _ _ s) in H; unfold prod in H; rewrite at_mult in H; rewrite H; clear H
     end; f_equal; field; lra. }
   assert (POS : forall s, 0 <= s <= 1 -> 0 < sigma (reals A0 s)).
   { intros s S; rewrite <- at_isigma; eapply is_positive_sound; [eassumption | exact S]. }
@@ -1044,7 +914,8 @@ Proof.
   - apply erf_holds; auto using reals_derivative, reals_continuous.
   - intros x X.
     match goal with
-    | H : forallb (check_decision _ _ _ _) _ = true |- _ => rewrite forallb_forall in H; specialize (H x X); rename H into CH
+    | H : forallb (check_decision _ _ _ _) _ = true |- _ =>
+        rewrite forallb_forall in H; specialize (H x X); rename H into CH
     end.
     apply (check_decision_sound _ _ _ _ (value (multiplier c)) e d) in CH; [exact CH |].
     intro s; unfold f; rewrite value_over by assumption; field; lra.

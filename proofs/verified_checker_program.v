@@ -1,5 +1,6 @@
-(* The verified checker as a program: writes accept.ml, which check_certificate_verified.ml calls. Integers become those of
-   Zarith, by Coq's own table of their operations and the two lines below, and the few types of the checker those of OCaml. *)
+(* The verified checker as a program: writes accept.ml, which check_certificate_verified.ml calls. Integers become those
+   of Zarith, by Coq's own table of their operations and the three lines below; lists, pairs and truth values those of
+   OCaml. *)
 From Coq Require Import ZArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 Require Import verified_checker.
 
