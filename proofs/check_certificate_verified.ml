@@ -170,7 +170,8 @@ type found = {
   left_out : string list }
 
 let certificate place x =
-  let is key value x = if find key place x <> Text value then fail (place ^ "/" ^ key) ("\"" ^ value ^ "\" is wanted") in
+  let is key value x =
+    if find key place x <> Text value then fail (place ^ "/" ^ key) ("\"" ^ value ^ "\" is wanted") in
   is "phrame" "certificate/1" x;
   let inside key = find key place x and at key = place ^ "/" ^ key in
   let curve = inside "curve" in
@@ -184,7 +185,8 @@ let certificate place x =
   let x', y', z' = match items (at "hodograph") (inside "hodograph") with
     | [x; y; z] -> polynomial (at "hodograph") x, polynomial (at "hodograph") y, polynomial (at "hodograph") z
     | _ -> fail (at "hodograph") "three polynomials are wanted" in
-  let claims = List.mapi (fun k c -> claim (Printf.sprintf "%s/claims/%d" place k) c) (items (at "claims") (inside "claims")) in
+  let claims = items (at "claims") (inside "claims") in
+  let claims = List.mapi (fun k -> claim (Printf.sprintf "%s/%d" (at "claims") k)) claims in
   let bend = match text (at "frame") (inside "frame") with
     | "erf" -> None
     | "frenet" ->
@@ -192,11 +194,13 @@ let certificate place x =
         let gamma = find "polynomial" (at "bend") bend in
         Some ((part gamma "re", part gamma "im"), part bend "content")
     | _ -> fail (at "frame") "\"erf\" or \"frenet\" is wanted" in
-  let one = [fraction Int.unit_big_int Int.unit_big_int] in
+  let multiplier = match find_optional "multiplier" curve with
+    | Some f -> some_polynomial (at "curve/multiplier") f
+    | None -> [fraction Int.unit_big_int Int.unit_big_int] in
   let taken, left_out = List.partition (fun (_, x) -> x <> None) (decisions (at "decisions") (inside "decisions")) in
   let certificate = {
      A.cu = coordinate "u"; A.cv = coordinate "v"; A.cp = coordinate "p"; A.cq = coordinate "q";
-     A.multiplier = (match find_optional "multiplier" curve with Some f -> some_polynomial (at "curve/multiplier") f | None -> one);
+     A.multiplier = multiplier;
      A.cx' = x'; A.cy' = y'; A.cz' = z'; A.csigma = part x "sigma"; A.ch = part x "h";
      A.cg_re = part g "re"; A.cg_im = part g "im"; A.numerator = part rate "numerator";
      A.denominator = part rate "denominator"; A.common = part rate "common"; A.bend = bend;
@@ -217,8 +221,9 @@ let judge quiet found =
   let all = A.accept c in
   let frame = all || A.accept bare in
   say frame "the curve, its invariants, the rate, the rotation-minimizing frame on [0, 1]";
-  List.iter2 (fun line x -> say (all || frame && A.accept { bare with A.claims = [x] }) line) found.claims c.A.claims;
-  List.iter2 (fun line x -> say (all || frame && A.accept { bare with A.decisions = [x] }) line) found.decisions c.A.decisions;
+  let say_each alone = List.iter2 (fun line x -> say (all || frame && A.accept (alone x)) line) in
+  say_each (fun x -> { bare with A.claims = [x] }) found.claims c.A.claims;
+  say_each (fun x -> { bare with A.decisions = [x] }) found.decisions c.A.decisions;
   if not quiet then Printf.printf "left out    %s\n" (String.concat ", " found.left_out);
   all
 
@@ -226,7 +231,8 @@ let judge quiet found =
 let write_coq (c : A.certificate) =
   let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden) in
   let list a = "[" ^ String.concat "; " a ^ "]" in
-  let polys l = String.concat "\n  " (List.map (fun a -> list (List.map q a)) l) in
+  let poly a = list (List.map q a) in
+  let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
   let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c) in
   let decision = function
     | A.Regular -> "Regular" | A.NoInflection -> "NoInflection" | A.NotLine -> "NotLine" | A.NotPlanar -> "NotPlanar"
@@ -237,16 +243,21 @@ let write_coq (c : A.certificate) =
     | A.Rrmf (re, im) -> Printf.sprintf "Rrmf %s %s" (list (List.map q re)) (list (List.map q im)) in
   let bend = match c.A.bend with
     | None -> "None"
-    | Some ((re, im), g) -> Printf.sprintf "(Some (%s))" (String.concat ", " (List.map (fun a -> list (List.map q a)) [re; im; g])) in
-  let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
-  Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import certificate_statement verified_checker.\nImport ListNotations.\n\
-    Open Scope Q_scope.\n\nDefinition the_certificate := Certificate\n  (* u, v, p, q and f *)\n  %s\n\
-    \  (* r', sigma, h, g *)\n  %s\n  (* numerator, denominator, common *)\n  %s\n  (* Re gamma, Im gamma, G *)\n  %s\n  (* a fraction *)\n  (%s, %s)\n  (* t, theta, radius *)\n  %s\n  (* decisions *)\n  %s.\n\n\
-    Theorem it_is_true : statement the_certificate.\nProof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
-    (polys [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier])
-    (polys [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im])
-    (polys [c.A.numerator; c.A.denominator; c.A.common]) bend (list (List.map q (fst c.A.rational))) (list (List.map q (snd c.A.rational)))
-    (list (List.map claim c.A.claims)) (list (List.map decision c.A.decisions))
+    | Some ((re, im), g) -> Printf.sprintf "(Some (%s, %s, %s))" (poly re) (poly im) (poly g) in
+  let says what lines = Printf.sprintf "  (* %s *)\n  %s" what (String.concat "\n  " lines) in
+  let parts = [
+    says "u, v, p, q and f" (List.map poly [c.A.cu; c.A.cv; c.A.cp; c.A.cq; c.A.multiplier]);
+    says "r', sigma, h, g" (List.map poly [c.A.cx'; c.A.cy'; c.A.cz'; c.A.csigma; c.A.ch; c.A.cg_re; c.A.cg_im]);
+    says "numerator, denominator, common" (List.map poly [c.A.numerator; c.A.denominator; c.A.common]);
+    says "Re gamma, Im gamma, G" [bend];
+    says "a fraction" [Printf.sprintf "(%s, %s)" (poly (fst c.A.rational)) (poly (snd c.A.rational))];
+    says "t, theta, radius" [list (List.map claim c.A.claims)];
+    says "decisions" [list (List.map decision c.A.decisions)]] in
+  print_string "From Coq Require Import List ZArith QArith.\nRequire Import certificate_statement verified_checker.\n\
+    Import ListNotations.\nOpen Scope Q_scope.\n\n";
+  Printf.printf "Definition the_certificate := Certificate\n%s.\n\n" (String.concat "\n" parts);
+  print_string "Theorem it_is_true : statement the_certificate.\n\
+    Proof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
 
 let read name =
   let channel = if name = "-" then stdin else open_in_bin name in
@@ -259,12 +270,16 @@ let read name =
 let check quiet to_coq name =
   match certificate "" (parse (read name)) with
   | found when to_coq -> write_coq found.certificate; 0
-  | found -> if judge quiet found then (print_endline "accepted but for what is left out"; 0) else (print_endline "not accepted"; 1)
+  | found ->
+      let is_accepted = judge quiet found in
+      print_endline (if is_accepted then "accepted but for what is left out" else "not accepted");
+      if is_accepted then 0 else 1
   | exception Malformed what -> Printf.eprintf "check_certificate_verified: %s: %s\n" name what; 2
   | exception Sys_error what -> Printf.eprintf "check_certificate_verified: %s\n" what; 2
 
 let () =
-  let options, files = List.partition (fun s -> String.length s > 1 && s.[0] = '-') (List.tl (Array.to_list Sys.argv)) in
+  let is_option s = String.length s > 1 && s.[0] = '-' in
+  let options, files = List.partition is_option (List.tl (Array.to_list Sys.argv)) in
   if files = [] || List.exists (fun s -> s <> "-q" && s <> "--coq") options then begin
     prerr_endline "usage: check_certificate_verified [-q] [--coq] CERT...";
     exit 2
