@@ -12,14 +12,17 @@ Open Scope R_scope.
 (* |theta(time) - angle| <= radius. *)
 Record claim := Claim { time : Q; angle : Q; radius : Q }.
 
-(* What kind of curve it is, with witnesses: vectors, a cosine, w. *)
+(* What kind of curve it is, with witnesses: zeros that are rational, vectors, a cosine, w, omega and a constant. *)
 Inductive decision :=
-  | Regular | NoInflection
+  | Regular | NotRegular (cusps : list Q)
+  | Inflection (points : list Q) | NoInflection
   | Line (direction : Q * Q * Q) | NotLine
   | Planar (normal : Q * Q * Q) | NotPlanar
   | Helical (axis : Q * Q * Q) (cos_squared : Q) | NotHelical
   | ErfIsRmf | ErfIsNotRmf
-  | Rrmf (re im : list Q).
+  | Rrmf (re im : list Q)
+  | DoublePh (omega : list Q) (constant : Q)
+  | Monotone | NotMonotone.
 
 (* The preimage A = u + v i + p j + q k and the multiplier f; then r', sigma, h, g; the rate of the angle to the
    Euler-Rodrigues frame, numerator/denominator, and what it was reduced by; where the angles are those to the Frenet
@@ -93,6 +96,9 @@ Definition det4 (a : vector) (k : R) b l c m d n :=
 Definition decision_statement (f k : R -> R) (A0 A0' : R -> quaternion) (d : decision) : Prop :=
   match d with
   | Regular => forall s, 0 <= s <= 1 -> f s <> 0 /\ k s <> 0
+  | NotRegular _ => exists s, 0 <= s <= 1 /\ f s * k s = 0
+  | Inflection _ =>
+      (exists s, 0 <= s <= 1 /\ g_squared (A0 s) (A0' s) = 0) /\ exists s, g_squared (A0 s) (A0' s) <> 0
   | NoInflection =>
       (forall s, 0 <= s <= 1 -> 0 < g_squared (A0 s) (A0' s)) \/ (forall s, g_squared (A0 s) (A0' s) = 0)
   | Line l => real_vector l <> no_vector /\ forall s, cross (xyz A0 s) (real_vector l) = no_vector
@@ -111,6 +117,10 @@ Definition decision_statement (f k : R -> R) (A0 A0' : R -> quaternion) (d : dec
       exists a' b' : R -> R, forall s, is_derive (value re) s (a' s) /\ is_derive (value im) s (b' s) /\
         (value re s * b' s - value im s * a' s) * sigma (A0 s) =
           - h (A0 s) (A0' s) * norm_squared (value re) (value im) s
+  | DoublePh w c => forall s, 4 * (k s ^ 4 * g_squared (A0 s) (A0' s)) = Q2R c * value w s ^ 2
+  | Monotone =>
+      (forall s, 0 <= s <= 1 -> 0 <= h (A0 s) (A0' s)) \/ (forall s, 0 <= s <= 1 -> h (A0 s) (A0' s) <= 0)
+  | NotMonotone => exists s t, 0 < s < 1 /\ 0 < t < 1 /\ h (A0 s) (A0' s) < 0 < h (A0 t) (A0' t)
   end.
 
 Definition statement (c : certificate) :=

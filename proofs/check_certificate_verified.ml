@@ -142,8 +142,15 @@ let decisions place x =
   let vector key what = match List.map (exact (place ^ "/" ^ key)) (items (place ^ "/" ^ key) (witness key what)) with
     | [a; b; c] -> ((a, b), c)
     | _ -> fail (place ^ "/" ^ key) "three numbers are wanted" in
+  (* Those of the zeros that are rational. *)
+  let zeros key what =
+    let at = place ^ "/" ^ key ^ "/" ^ what in
+    let rational x = match find "t" at x with Text _ as t -> Some (exact at t) | _ -> None in
+    List.filter_map rational (items at (witness key what)) in
   let taken = function
     | "regular", true -> Some A.Regular
+    | "regular", false -> Some (A.NotRegular (zeros "regular" "cusps"))
+    | "inflections", true -> Some (A.Inflection (zeros "inflections" "points"))
     | "inflections", false -> Some A.NoInflection
     | "line", true -> Some (A.Line (vector "line" "direction"))
     | "line", false -> Some A.NotLine
@@ -157,6 +164,10 @@ let decisions place x =
     | "rrmf", true ->
         let w = witness "rrmf" "w" and at = place ^ "/rrmf" in
         Some (A.Rrmf (polynomial at (find "re" at w), polynomial at (find "im" at w)))
+    | "double_ph", true ->
+        let at = place ^ "/double_ph" in
+        Some (A.DoublePh (polynomial at (witness "double_ph" "omega"), exact at (witness "double_ph" "constant")))
+    | "erf_monotone", is_true -> Some (if is_true then A.Monotone else A.NotMonotone)
     | _ -> None in
   let keys = match x with Fields fields -> List.map fst fields | _ -> fail place "an object is wanted" in
   let one key = (Printf.sprintf "decision %s: %s" key (if answer key then "yes" else "no"), taken (key, answer key)) in
@@ -208,7 +219,7 @@ let certificate place x =
      A.claims = List.map snd claims;
      A.decisions = List.filter_map snd taken } in
   { certificate; claims = List.map fst claims; decisions = List.map fst taken;
-    left_out = "the antiderivative" :: "its roots and residues" :: List.map fst left_out }
+    left_out = "the antiderivative" :: "its roots and residues" :: "the lists of zeros" :: List.map fst left_out }
 
 (* ---- What is answered *)
 
@@ -237,6 +248,10 @@ let write_coq (c : A.certificate) =
   let decision = function
     | A.Regular -> "Regular" | A.NoInflection -> "NoInflection" | A.NotLine -> "NotLine" | A.NotPlanar -> "NotPlanar"
     | A.NotHelical -> "NotHelical" | A.ErfIsRmf -> "ErfIsRmf" | A.ErfIsNotRmf -> "ErfIsNotRmf"
+    | A.NotRegular l -> "NotRegular " ^ poly l
+    | A.Inflection l -> "Inflection " ^ poly l
+    | A.DoublePh (w, c) -> Printf.sprintf "DoublePh %s (%s)" (poly w) (q c)
+    | A.Monotone -> "Monotone" | A.NotMonotone -> "NotMonotone"
     | A.Line l -> "Line " ^ vector l
     | A.Planar l -> "Planar " ^ vector l
     | A.Helical (l, c) -> Printf.sprintf "Helical %s (%s)" (vector l) (q c)

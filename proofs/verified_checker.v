@@ -187,12 +187,56 @@ Definition in_plane A (l : Q * Q * Q) :=
 Definition independent A :=
   let '(s, t, u) := three_points A in negb (idot (ixyz A s) (icross (ixyz A t) (ixyz A u)) =? 0)%Z.
 
+(* Zeros in [0, 1] by a change of sign from one point of a grid to another, or at what is given. *)
+Definition grid : list Q := map (fun k => Qmake (Z.of_nat k) 256) (seq 0 257).
+Definition in_unit (t : Q) := Qle_bool 0 t && Qle_bool t 1.
+Definition changes_sign (grid : list Q) (a : poly) :=
+  match find (fun t => negb (Qle_bool 0 (at_fraction a t))) grid,
+    find (fun t => negb (Qle_bool (at_fraction a t) 0)) grid with
+  | Some s, Some t => in_unit s && in_unit t
+  | _, _ => false
+  end.
+Definition is_zero_at (a : poly) (t : Q) := in_unit t && Qeq_bool (at_fraction a t) 0.
+Definition has_zero (grid : list Q) (a : poly) (hints : list Q) :=
+  if existsb (is_zero_at a) hints then true else changes_sign grid a.
+Definition takes_both_signs (grid : list Q) (a : poly) :=
+  let inner (t : Q) := negb (Qle_bool t 0) && negb (Qle_bool 1 t) in
+  existsb (fun t => inner t && negb (Qle_bool 0 (at_fraction a t))) grid &&
+  existsb (fun t => inner t && negb (Qle_bool (at_fraction a t) 0)) grid.
+
+(* a = t^m (1 - t)^n q^2 r; nothing rests on how q and r are found, nor m and n. *)
+Fixpoint without (fuel : nat) (factor a : poly) : nat * poly :=
+  match fuel with
+  | O => (O, a)
+  | S fuel =>
+      let b := divided a factor in
+      if same a (prod factor b) && negb (is_zero a) then let (n, c) := without fuel factor b in (S n, c) else (O, a)
+  end.
+Fixpoint power (a : poly) (n : nat) : poly := match n with O => [1%Z] | S n => prod a (power a n) end.
+Definition keeps_sign (depth : nat) (a : poly) : bool :=
+  let (m, b) := without (length a) [0%Z; 1%Z] a in
+  let (n, b) := without (length a) [1%Z; (-1)%Z] b in
+  let q := common_divisor (Curve b (derived b) [] []) in
+  let r := divided (divided b q) q in
+  let e := prod (power [0%Z; 1%Z] m) (prod (power [1%Z; (-1)%Z] n) (prod q q)) in
+  if is_zero a then true
+  else same a (prod e r) && (if is_positive depth r then true else is_positive depth (times (-1) r)).
+
 Definition one_sign (depth : nat) (a : poly) := if is_positive depth a then true else is_positive depth (times (-1) a).
-Definition check_decision (depth : nat) (f k : poly) (A0 : curve) (d : decision) : bool :=
+(* A = k A0, over this denominator. *)
+Definition check_decision (depth : nat) (f k : poly) (denom : positive) (A0 : curve) (d : decision) : bool :=
   let A0' := derived_curve A0 in
   let h := ih A0 A0' in
   match d with
   | Regular => one_sign depth f && one_sign depth k
+  | NotRegular cusps => if has_zero grid f cusps then true else has_zero grid k cusps
+  | Inflection points =>
+      let a := ig_re A0 A0' in
+      let b := ig_im A0 A0' in
+      let G := common_divisor (Curve a b [] []) in
+      same a (prod G (divided a G)) && same b (prod G (divided b G)) && has_zero grid G points &&
+      existsb (fun s => negb (at_integer (sum (prod a a) (prod b b)) s =? 0)%Z)
+        (map Z.of_nat (seq 0 (2 * (length a + length b))))
   | NoInflection =>
       let n := sum (prod (ig_re A0 A0') (ig_re A0 A0')) (prod (ig_im A0 A0') (ig_im A0 A0')) in
       if is_zero n then true else is_positive depth n
@@ -222,6 +266,14 @@ Definition check_decision (depth : nat) (f k : poly) (A0 : curve) (d : decision)
       is_over e re && is_over e im &&
       existsb (fun s => negb (at_integer n s =? 0)%Z) (map Z.of_nat (seq 0 (length n))) &&
       same (prod (diff (prod a (derived b)) (prod b (derived a))) (isigma A0)) (times (-1) (prod h n))
+  | DoublePh w c =>
+      let e := denominator_of w in
+      let n := sum (prod (ig_re A0 A0') (ig_re A0 A0')) (prod (ig_im A0 A0') (ig_im A0 A0')) in
+      is_over e w &&
+      same (times (4 * (Zpos (Qden c) * (Zpos e * Zpos e))) (prod (prod (prod k k) (prod k k)) n))
+        (times (Qnum c * (Zpos denom * Zpos denom * (Zpos denom * Zpos denom))) (prod (over e w) (over e w)))
+  | Monotone => keeps_sign depth h
+  | NotMonotone => takes_both_signs grid h
   end.
 
 Definition accept_within (depth : nat) (c : certificate) : bool :=
@@ -254,7 +306,7 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
   same (ip A) (prod k (ip A0)) && same (iq A) (prod k (iq A0)) &&
   is_positive depth t &&
   same (times (-2) (prod (ih A0 (derived_curve A0)) d1)) (prod n1 t) &&
-  forallb (check_decision depth f k A0) (decisions c) &&
+  forallb (check_decision depth f k d A0) (decisions c) &&
   match bend c with
   | None =>
       Nat.eqb (length n1) (length d1) &&
@@ -750,12 +802,84 @@ Proof.
   - pose proof (is_positive_sound _ _ N s S) as H; rewrite at_times in H; lra.
 Qed.
 
+Lemma Qle_real s t : Qle_bool s t = true -> Q2R s <= Q2R t.
+Proof. intro L; apply Qle_Rle, Qle_bool_iff, L. Qed.
+Lemma Qlt_real s t : negb (Qle_bool t s) = true -> Q2R s < Q2R t.
+Proof.
+  intros L%negb_true_iff; apply Qlt_Rlt; destruct (Qlt_le_dec s t) as [H | H]; [exact H |].
+  apply Qle_bool_iff in H; congruence.
+Qed.
+Lemma Q2R_one : Q2R 1 = 1.
+Proof. unfold Q2R; simpl; field. Qed.
+
+Lemma in_unit_real t : in_unit t = true -> 0 <= Q2R t <= 1.
+Proof.
+  intros [A B]%andb_true_iff; apply Qle_real in A, B; rewrite at_zero_time in A; rewrite Q2R_one in B; lra.
+Qed.
+
+Lemma has_zero_real grid a hints : has_zero grid a hints = true -> exists s, 0 <= s <= 1 /\ at_real a s = 0.
+Proof.
+  unfold has_zero; destruct (existsb _ _) eqn:E.
+  - intros _; apply existsb_exists in E as (t & _ & H); apply andb_true_iff in H as [U Z].
+    exists (Q2R t); split; [exact (in_unit_real t U) |].
+    apply Qeq_bool_eq, Qeq_eqR in Z; rewrite at_fraction_real, at_zero_time in Z; exact Z.
+  - unfold changes_sign.
+    destruct (find (fun t => negb (Qle_bool 0 (at_fraction a t))) grid) as [s |] eqn:S; [| discriminate].
+    destruct (find (fun t => negb (Qle_bool (at_fraction a t) 0)) grid) as [t |] eqn:T; [| discriminate].
+    intros [Us Ut]%andb_true_iff; apply in_unit_real in Us, Ut.
+    apply find_some, proj2, Qlt_real in S; apply find_some, proj2, Qlt_real in T.
+    rewrite at_fraction_real, at_zero_time in S, T.
+    assert (C : Ranalysis1.continuity (at_real a))
+      by (intro x; apply continuity_pt_filterlim; exact (at_continuous a x)).
+    destruct (IVT_gen (at_real a) (Q2R s) (Q2R t) 0 C) as (x & X & Z).
+    { unfold Rmin, Rmax; destruct (Rle_dec (at_real a (Q2R s)) (at_real a (Q2R t))); lra. }
+    exists x; split; [| exact Z].
+    unfold Rmin, Rmax in X; destruct (Rle_dec (Q2R s) (Q2R t)); lra.
+Qed.
+
+Lemma takes_both_signs_real grid a : takes_both_signs grid a = true ->
+  exists s t, 0 < s < 1 /\ 0 < t < 1 /\ at_real a s < 0 /\ 0 < at_real a t.
+Proof.
+  intros [X Y]%andb_true_iff.
+  apply existsb_exists in X as (s & _ & X); apply existsb_exists in Y as (t & _ & Y).
+  rewrite !andb_true_iff in X, Y; destruct X as ((X1 & X2) & X3); destruct Y as ((Y1 & Y2) & Y3).
+  apply Qlt_real in X1, X2, X3, Y1, Y2, Y3; rewrite at_zero_time in X1, X3, Y1, Y3; rewrite Q2R_one in X2, Y2.
+  rewrite at_fraction_real in X3, Y3; exists (Q2R s), (Q2R t); auto.
+Qed.
+
+Lemma power_nonnegative a n s : 0 <= at_real a s -> 0 <= at_real (power a n) s.
+Proof.
+  intro P; induction n as [| n IH]; simpl; [lra |]; unfold prod; rewrite at_mult; apply Rmult_le_pos; assumption.
+Qed.
+
+Lemma keeps_sign_real depth a : keeps_sign depth a = true ->
+  (forall s, 0 <= s <= 1 -> 0 <= at_real a s) \/ (forall s, 0 <= s <= 1 -> at_real a s <= 0).
+Proof.
+  unfold keeps_sign; destruct (without _ _ _) as [m b]; destruct (without _ _ _) as [n b'].
+  set (q := common_divisor _); set (r := divided (divided _ _) _); cbv zeta; clearbody q r.
+  destruct (is_zero a) eqn:Z.
+  { intros _; left; intros s _; rewrite (at_zero a s Z); lra. }
+  intros [S P]%andb_true_iff.
+  assert (N : forall s, 0 <= s <= 1 ->
+      0 <= at_real (prod (power [0%Z; 1%Z] m) (prod (power [1%Z; (-1)%Z] n) (prod q q))) s).
+  { intros s U; unfold prod; rewrite !at_mult.
+    apply Rmult_le_pos; [apply power_nonnegative; simpl; lra |].
+    apply Rmult_le_pos; [apply power_nonnegative; simpl; lra | apply Rle_0_sqr]. }
+  set (e := prod (power _ _) _) in *; clearbody e.
+  assert (V : forall s, at_real a s = at_real e s * at_real r s)
+    by (intro s; apply (at_same _ _ s) in S; unfold prod in S; rewrite at_mult in S; exact S).
+  destruct (is_positive depth r) eqn:R; [left | right]; intros s U; rewrite V.
+  - apply Rmult_le_pos; [exact (N s U) | left; exact (is_positive_sound _ _ R s U)].
+  - pose proof (is_positive_sound _ _ P s U) as H; rewrite at_times in H.
+    specialize (N s U); nra.
+Qed.
+
 Lemma scale_nonzero e l : 0 < e -> scale e l <> no_vector -> l <> no_vector.
 Proof. intros E N ->; apply N, vector_eq; simpl; ring. Qed.
 
-Lemma check_decision_sound depth f k A0 (fr : R -> R) (e n : positive) x :
+Lemma check_decision_sound depth f k n A0 (fr : R -> R) (e : positive) x :
   (forall s, fr s = at_real f s / IZR (Zpos e)) ->
-  check_decision depth f k A0 x = true ->
+  check_decision depth f k n A0 x = true ->
   decision_statement fr (fun s => at_real k s / IZR (Zpos n)) (reals A0) (reals (derived_curve A0)) x.
 Proof.
   intros F H; pose proof (positive_real e) as Ep; pose proof (positive_real n) as Np.
@@ -763,6 +887,21 @@ Proof.
   - apply andb_true_iff in H as [Hf Hk]; intros s S; rewrite F.
     pose proof (one_sign_real _ _ _ Hf S); pose proof (one_sign_real _ _ _ Hk S).
     split; apply Rmult_integral_contrapositive_currified; auto; apply Rinv_neq_0_compat; lra.
+  - destruct (has_zero grid f cusps) eqn:Zf;
+      [apply has_zero_real in Zf as (s & U & Z) | apply has_zero_real in H as (s & U & Z)];
+      exists s; (split; [exact U |]); rewrite F, Z; field; lra.
+  - set (a := ig_re A0 (derived_curve A0)) in *; set (b := ig_im A0 (derived_curve A0)) in *.
+    set (G := common_divisor _) in H; clearbody G.
+    rewrite !andb_true_iff in H; destruct H as (((Sa & Sb) & Z) & X).
+    assert (M : forall s, g_squared (reals A0 s) (reals (derived_curve A0) s) =
+        at_real a s * at_real a s + at_real b s * at_real b s)
+      by (intro s; unfold g_squared, a, b; rewrite at_ig_re, at_ig_im; reflexivity).
+    split.
+    + apply has_zero_real in Z as (s & U & Z); exists s; split; [exact U |].
+      apply (at_same _ _ s) in Sa, Sb; unfold prod in Sa, Sb; rewrite at_mult in Sa, Sb.
+      rewrite M, Sa, Sb, Z; ring.
+    + apply existsb_exists in X as (s & _ & N); apply not_zero in N; exists (IZR s).
+      rewrite at_integer_real in N; unfold sum, prod in N; rewrite at_plus, !at_mult in N; rewrite M; exact N.
   - set (m := sum _ _) in H.
     assert (M : forall s, g_squared (reals A0 s) (reals (derived_curve A0) s) = at_real m s).
     { intro s; unfold g_squared, m, sum, prod; rewrite at_plus, !at_mult, at_ig_re, at_ig_im; reflexivity. }
@@ -831,6 +970,18 @@ Proof.
       rewrite Vn, Va, Vb; apply (Rmult_eq_reg_l (IZR (Zpos d) * IZR (Zpos d)));
         [| repeat apply Rmult_integral_contrapositive_currified; lra].
       match type of S with ?l = ?r => transitivity l; [field; lra |]; rewrite S end; field; lra.
+  - set (d := denominator_of omega) in *; apply andb_true_iff in H as [O S].
+    pose proof (positive_real d) as Dp; pose proof (positive_real (Qden constant)) as Cp.
+    intro s; apply (at_same _ _ s) in S; unfold sum, prod in S.
+    rewrite !at_times, !at_mult, at_plus, !at_mult, at_ig_re, at_ig_im, value_over in S by exact O.
+    rewrite !mult_IZR in S.
+    unfold g_squared, Q2R.
+    apply (Rmult_eq_reg_l (IZR (QDen constant) * (IZR (Zpos d) * IZR (Zpos d)) *
+      (IZR (Zpos n) * IZR (Zpos n) * (IZR (Zpos n) * IZR (Zpos n)))));
+      [| repeat apply Rmult_integral_contrapositive_currified; lra].
+    match type of S with ?l = ?r => transitivity l; [field; lra |]; rewrite S end; field; lra.
+  - apply keeps_sign_real in H as [H | H]; [left | right]; intros s U; rewrite <- at_ih; exact (H s U).
+  - apply takes_both_signs_real in H as (s & t & S & T & L & G); exists s, t; rewrite <- !at_ih; auto.
 Qed.
 
 Theorem accept_within_sound depth c : accept_within depth c = true -> statement c.
@@ -914,10 +1065,10 @@ Proof.
   - apply erf_holds; auto using reals_derivative, reals_continuous.
   - intros x X.
     match goal with
-    | H : forallb (check_decision _ _ _ _) _ = true |- _ =>
+    | H : forallb (check_decision _ _ _ _ _) _ = true |- _ =>
         rewrite forallb_forall in H; specialize (H x X); rename H into CH
     end.
-    apply (check_decision_sound _ _ _ _ (value (multiplier c)) e d) in CH; [exact CH |].
+    apply (check_decision_sound _ _ _ _ _ (value (multiplier c)) e) in CH; [exact CH |].
     intro s; unfold f; rewrite value_over by assumption; field; lra.
   - match goal with
     | H : same (times (-2) _) (prod n1 _) = true |- _ => rename H into SAME
