@@ -1,5 +1,5 @@
 (* Reads certificates (docs/certificate.md), and says which of them the checker accepts that Coq has proved right
-   (verified_checker.v). What is read is not proved to be what is in the file: it is printed, and with --coq a file
+   (verified_checker.v). What is read is not proved to be what is in the file. With --coq all of it is shown: a file
    is written of which the theorem is what the certificate states, for coqc to prove by computing `accept` itself.
 
    Of a certificate the checker takes the curve, its invariants, the rate, gamma of the Frenet frame, the claims about
