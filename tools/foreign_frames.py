@@ -9,6 +9,7 @@ f3 = e1 x f2 of a vector v turns about e1, and the rotation-minimizing one has t
 to it; at a joint the frame is carried by the least rotation that takes one tangent to the next. Integrals are by Gauss-Legendre
 quadrature on intervals that are halved until two rules agree. Of PH curves the angle from the Euler-Rodrigues frame is by -2h/sigma.
 """
+import math
 import re
 from fractions import Fraction
 
@@ -102,7 +103,17 @@ def number(x):
     return arb(x.numerator) / x.denominator if isinstance(x, Fraction) else arb(x)
 
 
+def exponential(x, sign):
+    return (jet(x).f.exp() + sign * (-jet(x).f).exp()) / 2
+
+
 FUNCTIONS = {
+    "log": lambda x: jet(x).of(jet(x).f.log(), 1 / jet(x).f, -1 / jet(x).f ** 2),
+    "atan": lambda x: jet(x).of(jet(x).f.atan(), 1 / (1 + jet(x).f ** 2), -2 * jet(x).f / (1 + jet(x).f ** 2) ** 2),
+    "tan": lambda x: FUNCTIONS["sin"](x) / FUNCTIONS["cos"](x),
+    "cosh": lambda x: jet(x).of(exponential(x, 1), exponential(x, -1), exponential(x, 1)),
+    "sinh": lambda x: jet(x).of(exponential(x, -1), exponential(x, 1), exponential(x, -1)),
+    "tanh": lambda x: FUNCTIONS["sinh"](x) / FUNCTIONS["cosh"](x),
     "sin": lambda x: jet(x).of(jet(x).f.sin(), jet(x).f.cos(), -jet(x).f.sin()),
     "cos": lambda x: jet(x).of(jet(x).f.cos(), -jet(x).f.sin(), -jet(x).f.cos()),
     "exp": lambda x: jet(x).of(*[jet(x).f.exp()] * 3),
@@ -164,7 +175,11 @@ class Segment:
         if "preimage" in curve:
             basis = curve["basis"]
             u, v, p, q = self.A = [power_basis(curve["preimage"][key], basis) for key in "uvpq"]
-            f = power_basis(curve.get("multiplier", [1]), basis)
+            f = curve.get("multiplier", [1])
+            over = [Fraction(1)]
+            if isinstance(f, dict):
+                f, over = f["numerator"], power_basis(f["denominator"], basis)
+            f = power_basis(f, basis)
             x = padded_sum((1, product(u, u)), (1, product(v, v)), (-1, product(p, p)), (-1, product(q, q)))
             y = padded_sum((2, product(u, q)), (2, product(v, p)))
             z = padded_sum((2, product(v, q)), (-2, product(u, p)))
@@ -173,6 +188,9 @@ class Segment:
             if next((c for c in f if c), 1) < 0:  # e1 = r'/|r'| at the start, by A j and -f
                 self.A = [[-c for c in p], [-c for c in q], u, v]
             self.jets = lambda t: [horner(c, t) for c in self.lists]
+            if len(over) > 1:  # no polynomial: r is an integral
+                self.rates, self.start = [product(f, d) for d in (x, y, z)], start
+                self.at = lambda t: self.by_rates(over, t)
         elif "control_points" in curve:
             weights = [Fraction(w) for w in curve.get("weights", [1] * len(curve["control_points"]))]
             points = [[Fraction(c) for c in p] for p in curve["control_points"]]
@@ -192,6 +210,32 @@ class Segment:
         x = self.jets(Jet(t, 1))
         return [a.f for a in x], [a.d for a in x], [a.dd for a in x]
 
+    def by_rates(self, over, t):
+        """The same of r' = rates/over. r, which is dear, is made when it is looked at."""
+        def rate(s):
+            return [horner(c, Jet(s, 1)) / horner(over, Jet(s, 1)) for c in self.rates]
+        x = rate(t)
+        return Late(lambda: [number(a) + b for a, b in zip(self.start, integral(lambda s: [a.f for a in rate(s)], arb(0), t))]), [
+            a.f for a in x], [a.d for a in x]
+
+    def signed_frenet(self, ts, steps=600):
+        """[(n, b, kappa)] of the Frenet frame that goes on through inflections, none of which is at 0 or at one of ts."""
+        def normal(t):
+            _, d, dd = self.at(t)
+            e1 = unit(d)
+            return e1, plus(dd, times(-dot(dd, e1), e1)), dot(d, d)
+        found, last = [], unit(normal(arb(0))[1])
+        for k in range(steps + 1):
+            while len(found) < len(ts) and ts[len(found)] * steps <= k:  # between the two steps about it the normal turns little
+                e1, w, square = normal(number(ts[len(found)]))
+                n = unit(w)
+                n = n if dot(n, last) > 0 else times(-1, n)
+                found.append((n, cross(e1, n), dot(w, n) / square))
+            _, w, _ = normal(arb(k) / steps)
+            if dot(w, w) > arb(10) ** -12:
+                n = unit(w)
+                last = n if dot(n, last) > 0 else times(-1, n)
+        return found
 
     def offset(self, d, cusps, ts):
         """Of a plane curve, at the distance d to the right: its length, given the t of its cusps to 16 digits, its points at ts,
@@ -216,6 +260,16 @@ class Segment:
             return x + k * dy, y - k * dx, z
         signs = [growth(arb(k) / 1000) > 0 for k in range(1001)]
         return length, [point(t) for t in ts], sum(a != b for a, b in zip(signs, signs[1:]))
+
+
+class Late:
+    """A list that is made when it is looked at."""
+
+    def __init__(self, make):
+        self.make = make
+
+    def __iter__(self):
+        return iter(self.make())
 
 
 def dot(a, b):
@@ -328,6 +382,25 @@ class Path:
         first, last = (unit(self.segments[k].at(arb(t))[1]) for k, t in ((0, 0), (-1, 1)))
         end = carried(end, last, first)
         return arb.atan2(dot(end, cross(first, f2)), dot(end, f2))
+
+    def writhe(self, steps=400):
+        """Of one smooth closed curve: Fuller's formula gives it up to an integer, which Gauss's double integral tells, by sums of doubles."""
+        part = middle(self.holonomy() / (2 * arb.pi()))
+        points, rates = [], []
+        for k in range(steps):
+            r, d, _ = self.segments[0].at(arb(2 * k + 1) / (2 * steps))
+            points.append([float(x.mid()) for x in r])
+            rates.append([float(x.mid()) for x in d])
+        total = 0.0
+        for i in range(steps):
+            (x, y, z), (a, b, c) = points[i], rates[i]
+            for (x1, y1, z1), (d, e, f) in zip(points[:i], rates[:i]):
+                u, v, w = x - x1, y - y1, z - z1
+                total += (u * (b * f - c * e) + v * (c * d - a * f) + w * (a * e - b * d)) / (u * u + v * v + w * w) ** 1.5
+        total = 2 * total / (4 * math.pi * steps * steps)
+        whole = round(total - float(part.mid()))
+        assert abs(total - float(part.mid()) - whole) < 0.1, "Gauss's sum %s is not near %s + n" % (total, part)
+        return part + whole
 
 
 def angle_to_erf(segment, t):

@@ -9,6 +9,7 @@ With --check the files stay, and their values are computed anew by the foreign w
 import argparse
 import decimal
 import json
+import math
 import os
 import random
 import subprocess
@@ -270,6 +271,157 @@ def more_groups(only=None):
             near_tie({"phrame": "curve/1", "control_points": points(4)}, what, digits, "2/5") for what in (8, 9) for digits in (2, 10)]
 
 
+# The third edition, with a CHANCE of its own in each group again.
+
+def quaternion_product(a, b):
+    return [a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+            a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]]
+
+
+def primitive(u):
+    """A multiple of a quaternion with integers without a common factor."""
+    u = [Fraction(x) for x in u]
+    u = [int(x * math.lcm(*(y.denominator for y in u))) for x in u]
+    return [x // math.gcd(*u) for x in u]
+
+
+def turn(u, v):
+    """U v U*/|U|^2"""
+    u = [Fraction(x) for x in u]
+    w = quaternion_product(quaternion_product(u, [Fraction(0), *v]), [u[0], -u[1], -u[2], -u[3]])
+    return [x / sum(c * c for c in u) for x in w[1:]]
+
+
+def texts(rows):
+    return [[str(x) for x in row] for row in rows]
+
+
+def some_rotation():
+    return primitive([CHANCE.randint(1, 4), *(CHANCE.randint(-3, 3) for _ in range(3))])
+
+
+def over(lists, w):
+    return {"phrame": "curve/1", "basis": "power", "position": {**{key: [str(c) for c in x] for key, x in zip("xyz", lists)}, "w": [str(c) for c in w]}}
+
+
+def with_denominator(m, c):
+    """A PH curve with the multiplier 1/(1 + ct)^(2m + 2): of that order at its only pole, r has no logarithm."""
+    w = [Fraction(1)]
+    for _ in range(2 * m + 2):
+        w = foreign.product(w, [Fraction(1), c])
+    return ph(m, 5, 2, multiplier={"numerator": ["1"], "denominator": [str(x) for x in w]})
+
+
+def arc():
+    """Of a circle in space: a rational quadratic with equal legs."""
+    c, s = CHANCE.choice(BENDS)
+    u, way, at = some_rotation(), Fraction(CHANCE.randint(1, 9), 2), [Fraction(x) for x in some(3, 9, 2)]
+    legs = [[Fraction(0)] * 3, [way, Fraction(0), Fraction(0)], [way + way * (c * c - s * s), way * 2 * c * s, Fraction(0)]]
+    return {"phrame": "curve/1", "control_points": texts([a + b for a, b in zip(at, turn(u, leg))] for leg in legs), "weights": ["1", str(c), "1"]}
+
+
+def rational_offset(m, distance):
+    """The offset of a plane PH curve, turned into space: (r sigma + d (y', -x'))/sigma."""
+    flat = foreign.Segment(quaternion(u=["2", *some(m, 5)], v=[0], p=[0], q=some(m + 1, 5)))
+    x, y, _ = flat.lists
+    sigma = foreign.padded_sum(*((1, foreign.product(c, c)) for c in flat.A))
+    dx, dy = ([k * c for k, c in enumerate(row)][1:] for row in (x, y))
+    columns = [foreign.padded_sum((1, foreign.product(row, sigma)), (sign * distance, other)) for row, sign, other in ((x, 1, dy), (y, -1, dx))]
+    u = some_rotation()
+    axes = [turn(u, [Fraction(i == k) for i in range(3)]) for k in range(2)]
+    return over([foreign.padded_sum((axes[0][k], columns[0]), (axes[1][k], columns[1])) for k in range(3)], sigma)
+
+
+def inverted(m):
+    """A PH curve in the unit sphere as a mirror, r/|r|^2: it stays one, and its rotation-minimizing frames are mirrored."""
+    while True:
+        curve = ph(m, 4)
+        start = [Fraction(CHANCE.randint(20, 40)), Fraction(CHANCE.randint(-9, 9)), Fraction(CHANCE.randint(-9, 9))]
+        lists = foreign.Segment({**curve, "start": [str(x) for x in start]}).lists
+        square = foreign.padded_sum(*((1, foreign.product(c, c)) for c in lists))
+        if all(sum(c * Fraction(k, 50) ** i for i, c in enumerate(square)) > 1 for k in range(51)):
+            return over(lists, square)
+
+
+def long_spline(n):
+    """Lines, arcs, PH quintics and cubics in turns, with continuous tangents."""
+    at, u, segments = [Fraction(0)] * 3, [1, 0, 0, 0], []
+    axis = [[Fraction(i == k) for i in range(3)] for k in range(3)]
+
+    def go(way, direction):
+        return [a + way * d for a, d in zip(at, direction)]
+    for _ in range(n):
+        kind, ahead = CHANCE.choice(("line", "arc", "arc", "cubic", "ph")), turn(u, axis[0])
+        if kind == "line":
+            end = go(Fraction(CHANCE.randint(1, 6), 2), ahead)
+            segments.append({"control_points": texts([at, end])})
+        elif kind == "arc":
+            c, s = CHANCE.choice(BENDS)
+            u = primitive(quaternion_product(u, [CHANCE.randint(1, 3), CHANCE.randint(-2, 2), 0, 0]))
+            way = Fraction(CHANCE.randint(1, 4), 2)
+            corner = go(way, ahead)
+            u = primitive(quaternion_product(u, [c, 0, 0, s]))
+            end = [a + way * d for a, d in zip(corner, turn(u, axis[0]))]
+            segments.append({"control_points": texts([at, corner, end]), "weights": ["1", str(c), "1"]})
+        elif kind == "cubic":
+            u = primitive(quaternion_product(u, [3, *(CHANCE.randint(-1, 1) for _ in range(3))]))
+            end = [a + Fraction(CHANCE.randint(2, 4)) * d + Fraction(CHANCE.randint(-1, 1)) for a, d in zip(at, ahead)]
+            segments.append({"control_points": texts([at, go(1, ahead), [a - d for a, d in zip(end, turn(u, axis[0]))], end])})
+        else:
+            steps = [u, *([Fraction(CHANCE.randint(-3, 3), 6) for _ in range(4)] for _ in range(2))]
+            size = max(map(abs, u))
+            steps = [[Fraction(x, size) for x in u], *steps[1:]]
+            curve = {"basis": "power", "preimage": {key: [str(step[k]) for step in steps] for k, key in enumerate("uvpq")}, "start": [str(x) for x in at]}
+            segments.append(curve)
+            end = [sum(c) for c in foreign.Segment(curve).lists]
+            u = primitive([sum(column) for column in zip(*steps)])
+        at = end
+    return {"phrame": "spline/1", "segments": segments}
+
+
+def asking(what, curve):
+    return {**curve, "expected": {what: True}}
+
+
+def inflected(a, y, z):
+    """x = t, y = (t - a)^m, z = c (t - a)^n, turned: an inflection at a, where the normal goes on, with the curvature's sign changed or not."""
+    def power(m, c=1):
+        row = [Fraction(c)]
+        for _ in range(m):
+            row = foreign.product(row, [-a, Fraction(1)])
+        return row
+    rows, u = [[Fraction(0), Fraction(1)], power(y), power(*z)], some_rotation()
+    axes = [turn(u, [Fraction(i == k) for i in range(3)]) for k in range(3)]
+    return {"phrame": "curve/1", "basis": "power", "position": {
+        key: [str(x) for x in foreign.padded_sum(*((axes[j][k], rows[j]) for j in range(3)))] for k, key in enumerate("xyz")}}
+
+
+def newest_groups():
+    def begin(group):
+        CHANCE.seed("3 " + group)
+        return group
+    yield begin("rational-ph"), [with_denominator(m, c) for m, c in ((1, Fraction(1)), (2, Fraction(1, 2)), (2, Fraction(-1, 3)), (3, Fraction(1, 4)))] + [
+        arc() for _ in range(3)] + [rational_offset(m, d) for m, d in ((1, Fraction(1, 3)), (1, Fraction(-2)), (2, Fraction(1, 2)))] + [
+        inverted(m) for m in (1, 1, 2)]
+    yield begin("long-splines"), [long_spline(n) for n in (8, 12, 16, 20, 24, 32)]
+    yield begin("knots"), [asking("writhe", curve) for curve in (
+        torus_knot(2, 3, "1"), torus_knot(2, 7, "1"), torus_knot(3, 5, "1/2"), torus_knot(1, 5, "1"),
+        formula("(2+cos(2*s))*cos(3*s)", "(2+cos(2*s))*sin(3*s)", "sin(4*s)", "2*pi"),
+        formula("cos(3*s+7/10)", "cos(2*s+1/5)", "cos(7*s)", "2*pi"), formula("cos(2*s+3/2)", "cos(3*s+1/5)", "cos(5*s)", "2*pi"),
+        formula("4*cos(s)+cos(5*s)", "4*sin(s)+sin(5*s)", "sin(6*s)/2", "2*pi"), formula("cos(s)+2*cos(2*s)", "sin(s)-2*sin(2*s)", "2*sin(3*s)/3", "2*pi"))]
+    yield begin("signed-frenet"), [asking("signed_frenet", curve) for curve in (
+        inflected(Fraction(2, 5), 3, (4, 1)), inflected(Fraction(3, 7), 3, (5, 2)), inflected(Fraction(1, 7), 3, (4, Fraction(1, 3))),
+        inflected(Fraction(5, 7), 5, (6, 3)), inflected(Fraction(2, 7), 4, (5, 1)),
+        quaternion(u=[1, 1], v=[0], p=[0], q=[2, -4, 3]), formula("s", "sin(s)", "s/2+cos(s)", "3"), formula("s", "cos(s)", "2*s", "5"))]
+    yield begin("minimal-twist"), [with_twist(curve) for curve in (
+        {"phrame": "curve/1", "control_points": points(4), "weights": ["1", "3/7", "9/7", "1"]}, spline(corners=False), pipe(3), long_spline(5),
+        formula("cos(s)", "sin(s)", "s/9", "9"), formula("exp(s/5)*cos(s)", "exp(s/5)*sin(s)", "s", "6"))]
+    yield begin("formulas"), [formula(*four) for four in (
+        ("s", "cosh(s)", "s^2/5", "2"), ("s", "log(1+s)", "s^2", "3"), ("sinh(s)", "cosh(s)", "s", "1"), ("tan(s)", "s", "cos(s)", "1"),
+        ("s-tanh(s)", "1/cosh(s)", "s/3", "4"), ("atan(s)", "log(1+s^2)/2", "s/4", "3"), ("s*cos(s)", "s*sin(s)", "s", "9"),
+        ("(1+s)*cos(log(1+s))", "(1+s)*sin(log(1+s))", "s/2", "8"))]
+
+
 def rounded(value):
     """With the nearest double in place of each number, exactly."""
     if isinstance(value, dict):
@@ -278,16 +430,20 @@ def rounded(value):
     return [rounded(x) for x in value] if isinstance(value, list) else str(Fraction(float(Fraction(value))))
 
 
+# Of which the doubles join, close or are PH no longer.
+NO_DOUBLES = ("splines", "corners", "hard-rounding", "ph-splines", "pipes", "rational-ph", "long-splines", "signed-frenet")
+
+
 def named(only=None):
     """(group, curve); where something is to be asked beside the usual, that is in its "expected"."""
     last = {}
-    for group, curves in [*groups(), *more_groups(only)]:
+    for group, curves in [*groups(), *more_groups(only), *newest_groups()]:
         for curve in curves:
             last[group] = last.get(group, 0) + 1
             name, note = "%s-%02d" % (group, last[group]), {"family": group}
             yield group, {"phrame": curve["phrame"], "name": name, **note, **curve}
             near = rounded(curve)
-            if near != curve and group not in ("splines", "corners", "hard-rounding", "ph-splines", "pipes"):
+            if near != curve and group not in NO_DOUBLES and "segments" not in curve:
                 yield group, {"phrame": curve["phrame"], "name": name + "-doubles", **note, "note": "the numbers of %s as doubles" % name, **near}
 
 
@@ -304,7 +460,7 @@ def questions(curve):
     yield "frames", {"question": "frames", "at": at}
     yield "totals", {"question": "totals"}
     if "preimage" in curve:
-        yield "angle", {"question": "angle", "at": at, "values_only": True}
+        yield "angle", {"question": "angle", "frame": "erf", "at": at, "values_only": True}
     wanted = curve.get("expected", {})
     if "minimal_twist" in wanted:
         ends = {key: wanted["minimal_twist"][key] for key in ("from_vector", "to_vector")}
@@ -312,6 +468,8 @@ def questions(curve):
         yield "twist", {"question": "mtf", **ends}
     if "offset" in wanted:
         yield "offset", {"question": "offset", "distance": wanted["offset"]["distance"]}
+    if "signed_frenet" in wanted:
+        yield "signed_frenet", {"question": "frames", "frame": ["frenet-signed"], "columns": ["signed_curvature"], "at": at}
 
 
 def asked(curves):
@@ -382,6 +540,11 @@ def expected(curve, answers):
         out["offset"] = offset_of(curve, answers["offset"])
     if "near_tie" in wanted:
         out["near_tie"] = wanted["near_tie"]
+    if "writhe" in wanted:
+        out["writhe"] = value_of(total["writhe"])
+    if "signed_frenet" in answers:
+        rows = answers["signed_frenet"]["rows"]
+        out["signed_frenet"] = {"frames": [row[7:13] for row in rows], "curvature": [row[13] for row in rows]}
     return out
 
 
@@ -413,6 +576,12 @@ def disagreements(curve):
             pairs += [("offset at %s, %d" % (t, k), x, y) for k, (x, y) in enumerate(zip(row, point))]
         if count != len(offset["cusps"]):
             yield "%d cusps of the offset" % count
+    if "writhe" in want:
+        pairs.append(("writhe", want["writhe"], path.writhe()))
+    if "signed_frenet" in want:
+        for t, row, kappa, (n, b, k) in zip(want["at"], want["signed_frenet"]["frames"], want["signed_frenet"]["curvature"],
+                                            path.segments[0].signed_frenet(parameters(curve))):
+            pairs += [("signed Frenet frame at %s, %d" % (t, i), x, y) for i, (x, y) in enumerate(zip([*row, kappa], [*n, *b, k]))]
     for what, text, x in pairs:
         y = foreign.number(text)
         most = foreign.number(AGREEMENT) * max(1.0, float(abs(y).mid()))

@@ -78,12 +78,17 @@ std::pair<std::string, std::string> value_tables(const std::vector<CollectedCurv
   };
   std::string frames =
       "name,t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z,theta_erf,twist2x,twist2y,twist2z,"
-      "twist3x,twist3y,twist3z,offset_x,offset_y,offset_z\n";
-  std::string totals = "name,group,length,holonomy,twist,offset_distance,offset_length\n";
+      "twist3x,twist3y,twist3z,offset_x,offset_y,offset_z,snx,sny,snz,sbx,sby,sbz,"
+      "signed_curvature\n";
+  std::string totals = "name,group,length,holonomy,twist,offset_distance,offset_length,writhe\n";
   for (const CollectedCurve& curve : curves) {
     const JsonNode values = JsonNode(curve.json).at("expected");
     const auto twist = values.find("minimal_twist");
     const auto offset = values.find("offset");
+    const auto signed_frenet = values.find("signed_frenet");
+    const auto item = [](const std::optional<JsonNode>& node, const char* key, std::size_t k) {
+      return node ? std::optional(node->at(key).item(k)) : std::nullopt;
+    };
     const auto append_numbers = [&](const std::optional<JsonNode>& list, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i)
         frames += "," + (list ? list->item(i).text() : std::string());
@@ -94,14 +99,17 @@ std::pair<std::string, std::string> value_tables(const std::vector<CollectedCurv
       append_numbers(values.at("frames").item(k), 12);
       const auto theta = values.find("theta_erf");
       frames += "," + (theta ? theta->item(k).text() : std::string());
-      append_numbers(twist ? std::optional(twist->at("frames").item(k)) : std::nullopt, 6);
-      append_numbers(offset ? std::optional(offset->at("points").item(k)) : std::nullopt, 3);
-      frames += "\n";
+      append_numbers(item(twist, "frames", k), 6);
+      append_numbers(item(offset, "points", k), 3);
+      append_numbers(item(signed_frenet, "frames", k), 6);
+      const auto curvature = item(signed_frenet, "curvature", k);
+      frames += "," + (curvature ? curvature->text() : std::string()) + "\n";
     }
     totals += fmt::format(
-        "{},{},{},{},{},{},{}\n", curve.name, curve.group, values.at("length").text(),
+        "{},{},{},{},{},{},{},{}\n", curve.name, curve.group, values.at("length").text(),
         optional_text(values, "holonomy"), twist ? twist->at("twist").text() : "",
-        offset ? offset->at("distance").text() : "", offset ? offset->at("length").text() : "");
+        offset ? offset->at("distance").text() : "", offset ? offset->at("length").text() : "",
+        optional_text(values, "writhe"));
   }
   return {frames, totals};
 }

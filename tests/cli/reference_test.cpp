@@ -48,6 +48,22 @@ TEST_CASE("reference: the collection is found, listed, and read by a batch as it
   CHECK(nlohmann::json::parse(here.run("reference tame-01").out)["name"] == "tame-01");
 }
 
+TEST_CASE("reference: the tables of values have writhes and signed Frenet frames") {
+  const Workshop here;
+  for (const std::string name : {"knots-01", "signed-frenet-01"}) {
+    CHECK(here.run("reference " + name + " --export " + name + " --samples 2").status == 0);
+    const auto expected = nlohmann::json::parse(here.run("reference " + name).out)["expected"];
+    const auto total = cells_of(lines_of(bytes_of(here.file(name + "/totals.csv")))[1]);
+    CHECK(total.back() == expected.value("writhe", ""));
+    const auto row = cells_of(lines_of(bytes_of(here.file(name + "/values.csv")))[3]);
+    const bool is_frenet = expected.contains("signed_frenet");
+    CHECK(row[24] ==
+          (is_frenet ? expected["signed_frenet"]["frames"][2][0].get<std::string>() : ""));
+    CHECK(row.back() ==
+          (is_frenet ? expected["signed_frenet"]["curvature"][2].get<std::string>() : ""));
+  }
+}
+
 // At t = 0, 1/3, 1/2 and 1, of which the collection has 50 digits.
 TEST_CASE("reference: what is exported are the doubles nearest to the values") {
   const Workshop here;
