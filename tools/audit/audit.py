@@ -2,9 +2,10 @@
 """What widely used programs answer on the reference collection: asks them, has phrame judge the tables, and writes docs/audit/log.json and
 the tables of docs/audit.md, every number of which is from that log.
 
-    python3 -m venv audit && audit/bin/pip install -r tools/audit/requirements.txt && npm install --prefix audit three
+    python3 -m venv audit && audit/bin/pip install -r tools/audit/requirements.txt && npm install --prefix audit three @babylonjs/core
     PHRAME_PROGRAM=build/dev/bin/phrame audit/bin/python tools/audit/audit.py --work /tmp/audit --node audit/node_modules
     … --only trimesh          one program again; the rest of the log stays
+    … --missing               the curves that are not in the log, which came into the collection since
     … --render                the tables of docs/audit.md from the log, without asking anybody
 """
 import argparse
@@ -22,9 +23,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LOG, PAGE = ROOT / "docs/audit/log.json", ROOT / "docs/audit.md"
 STEPS = (51, 101, 201)
-THREE = "three"
+NODE = ["three", "babylon"]  # scripts beside this one
 COLUMNS = [*("error at %d steps" % (n - 1) for n in STEPS), "order", "flips", "cosine of f2 and the tangent", "holonomy"]
-FIRST = ["double-reflection", THREE, "vtk", "blender", "occ-discrete", "occ-corrected-frenet", "splipy", "trimesh"]
+FIRST = ["double-reflection", "three", "babylon", "vtk", "blender", "occ-discrete", "occ-corrected-frenet", "splipy", "trimesh"]
 
 
 def phrame(*arguments):
@@ -36,12 +37,14 @@ def curves(collection):
     return [json.loads(line) for line in (collection / "curves.jsonl").read_text().splitlines()]
 
 
-def ask(name, collection, target):
+def ask(name, collection, target, wanted):
     """{curve: why there is no answer}"""
     import numpy as np
     import programs
     silent = {}
     for curve in curves(collection):
+        if curve["name"] not in wanted:
+            continue
         for steps in STEPS:
             table = np.loadtxt(collection / "frames" / str(steps) / (curve["name"] + ".csv"), delimiter=",", skiprows=1)
             try:
@@ -57,38 +60,40 @@ def ask(name, collection, target):
     return silent
 
 
-def ask_three(collection, target, modules):
-    script = target.parent / "three.mjs"  # where node finds the modules
-    shutil.copy(Path(__file__).with_name("three.mjs"), script)
+def ask_node(name, collection, target, modules, wanted):
+    script = target.parent / (name + ".mjs")  # where node finds the modules
+    shutil.copy(Path(__file__).with_name(name + ".mjs"), script)
     link = target.parent / "node_modules"
     if not link.exists():
         link.symlink_to(Path(modules).resolve())
-    run = subprocess.run(["node", script, collection / "frames", target], capture_output=True, text=True)
+    run = subprocess.run(["node", script, collection / "frames", target], input="\n".join(sorted(wanted)), capture_output=True, text=True)
     if run.returncode:
         sys.exit(run.stderr)
-    return "0." + run.stdout.strip() + ".0"
+    return run.stdout.strip()
 
 
-def record(found, silent, version):
-    """The curves with COLUMNS, where there is an answer."""
+def record(found, silent, version, wanted):
+    """The curves with COLUMNS, where there is an answer; elsewhere why there is none."""
     def short(x):
         return None if x is None else float("%.3g" % x)
 
     def value(x):
         return None if x is None else short(float(x["value"]))
-    rows = {row["name"]: row for row in found["curves"]}
+    rows = {row["name"]: row for row in found["curves"] if row["name"] in wanted}
     refused = {name: row["failure"] for name, row in rows.items() if "failure" in row}
-    return {"version": version, "no_answer": dict(Counter({**silent, **refused}.values()).most_common()), "curves": {
+    return {"version": version, "no_answer": {**refused, **silent}, "curves": {
         name: [*(short(float(step["error"]["upper"])) for step in row["steps"]), value(row["order"]), row["flips"],
                short(float(row["orthogonality"])), value(row["holonomy"])]
         for name, row in rows.items() if "failure" not in row}}
 
 
-def write(log):
+def write(log, file=LOG):
     """A curve a line."""
     text = json.dumps(log, indent=1, ensure_ascii=False)
-    LOG.parent.mkdir(exist_ok=True)
-    LOG.write_text(re.sub(r"\[[^\[\]]*\]", lambda row: " ".join(row[0].split()).replace("[ ", "[").replace(" ]", "]"), text) + "\n")
+    file.parent.mkdir(exist_ok=True)
+    for brackets in (r"\[[^\[\]]*\]", r'\{\s*"family"[^{}]*\}'):
+        text = re.sub(brackets, lambda row: re.sub(r"(?<=[\[{]) | (?=[\]}])", "", " ".join(row[0].split())), text)
+    file.write_text(text + "\n")
 
 
 def measure(options):
@@ -109,12 +114,20 @@ def measure(options):
         target = work / name
         shutil.rmtree(target, ignore_errors=True)
         target.mkdir(parents=True)
-        if name == THREE:
-            version, silent = ask_three(collection, target, options.node), {}
+        before = log["programs"].get(name) if options.missing else None
+        known = {**before["curves"], **before["no_answer"]} if before else {}
+        wanted = {curve["name"] for curve in curves(collection)} - set(known)
+        if name in NODE:
+            version, silent = ask_node(name, collection, target, options.node, wanted), {}
         else:
-            version, silent = programs.version_of(name) or "–", ask(name, collection, target)
+            version, silent = programs.version_of(name) or "–", ask(name, collection, target, wanted)
         found = json.loads(phrame("check", "--suite", target, "--print", "json"))
-        log["programs"][name] = record(found, silent, version)
+        new = record(found, silent, version, wanted)
+        if before and before["version"] != version:
+            sys.exit("%s is %s here, in the log %s: ask it for all curves" % (name, version, before["version"]))
+        for part in ("curves", "no_answer"):
+            new[part] = dict(sorted({**(before[part] if before else {}), **new[part]}.items()))
+        log["programs"][name] = new
         write(log)
         print(name, version, len(log["programs"][name]["curves"]), flush=True)
 
@@ -152,15 +165,14 @@ def rendered(log):
     head = ["program", "version", "curves", "median error", "≤ 10⁻⁶", "> 0.1", "order", "with flips", "holonomy off by"]
     by_group = [[group] + [number(middle(groups[group].get(name, []))) for name in programs_there] for group in sorted(groups)]
     silent = [[name, str(count), reason.replace("|", "\\|")] for name in programs_there
-              for reason, count in log["programs"][name]["no_answer"].items()]
+              for reason, count in Counter(log["programs"][name]["no_answer"].values()).most_common()]
     return {"whole": table(head, whole), "groups": table(["group", *programs_there], by_group),
             "silent": table(["program", "curves", "why"], silent) if silent else "All answered."}
 
 
-def render():
+def render(tables):
     page = PAGE.read_text()
-    log = json.loads(LOG.read_text())
-    for mark, text in rendered(log).items():
+    for mark, text in tables.items():
         begin, end = "<!-- %s -->\n" % mark, "\n<!-- end -->"
         before, rest = page.split(begin, 1)
         page = before + begin + text + rest[rest.index(end):]
@@ -172,11 +184,12 @@ def main():
     parser.add_argument("--work", help="a folder for tables")
     parser.add_argument("--node", help="node_modules with three.js")
     parser.add_argument("--only", action="append", choices=FIRST)
+    parser.add_argument("--missing", action="store_true")
     parser.add_argument("--render", action="store_true")
     options = parser.parse_args()
     if not options.render:
         measure(options)
-    render()
+    render(rendered(json.loads(LOG.read_text())))
 
 
 if __name__ == "__main__":
