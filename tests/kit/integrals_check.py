@@ -22,6 +22,7 @@ ANSWERS = [
     (RIOBOO, "atan(x)+atan(x^3)+atan((x^5-3*x^3+x)/2)", "right"),
     (RIOBOO, "atan((x^3-3*x)/(x^2-2))", "jump"),
     (RIOBOO, "atan(x)+atan(x^3)-atan((x^5-3*x^3+x)/2)", "wrong"),
+    ("-2*x/(x^4-2*x^2+2)", "atan(1/(x^2-1))", "jump"),  # there and back, so that the ends do not show it
     (RIOBOO, "'integrate((x^4-3*x^2+6)/(x^6-5*x^4+5*x^2+4),x)", "none"),
     (RIOBOO, "RootSum(4*_t**2 + 1, Lambda(_t, _t*log(2*_t*x**2 - 4*_t + x**3 - 3*x)))", "jump"),
     ("1/(x^3-2)", "'lsum(%r1*log(x-%r1)/6,%r1,rootsof(%r1^3-2,%r1))", "right"),
