@@ -79,11 +79,14 @@ def record(found, silent, version, wanted):
 
     def value(x):
         return None if x is None else short(float(x["value"]))
+
+    def size(x):
+        return None if x is None else abs(x)
     rows = {row["name"]: row for row in found["curves"] if row["name"] in wanted}
     refused = {name: row["failure"] for name, row in rows.items() if "failure" in row}
     return {"version": version, "no_answer": {**refused, **silent}, "curves": {
         name: [*(short(float(step["error"]["upper"])) for step in row["steps"]), value(row["order"]), row["flips"],
-               short(float(row["orthogonality"])), value(row["holonomy"])]
+               short(float(row["orthogonality"])), size(value(row["holonomy"]))]
         for name, row in rows.items() if "failure" not in row}}
 
 
@@ -159,7 +162,7 @@ def rendered(log):
         errors, orders = [row[len(STEPS) - 1] for row in rows], [row[len(STEPS)] for row in rows]
         whole.append([name, found["version"], str(len(rows)), number(middle(errors)), str(sum(x <= 1e-6 for x in errors)),
                       str(sum(x > 0.1 for x in errors)), "–" if name in OWN_STEPS or middle(orders) is None else "%.1f" % max(0.0, middle(orders)),
-                      str(sum(row[-3] > 0 for row in rows)), number(middle(None if row[-1] is None else abs(row[-1]) for row in rows))])
+                      str(sum(row[-3] > 0 for row in rows)), number(middle(row[-1] for row in rows))])
         for curve, row in found["curves"].items():
             groups.setdefault(re.sub(r"-[0-9]+(-doubles)?$", "", curve), {}).setdefault(name, []).append(row[len(STEPS) - 1])
     head = ["program", "version", "curves", "median error", "≤ 10⁻⁶", "> 0.1", "order", "with flips", "holonomy off by"]
