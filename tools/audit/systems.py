@@ -182,7 +182,8 @@ phrameE : EI := phrameR :: EI
 phrameK := reverse [k1 for k1 in tower(phrameE) | is?(k1, 'rootOf)]
 phrameT : TextFile := open("%s", "output")
 phrameM : List EI := []
-for k1 in phrameK for i1 in 1.. repeat (s1 : EI := (concat("root", string(i1)))::Symbol::EI; phrameM := concat([eval(m1, k1, s1) for m1 in phrameM], elt(minPoly(k1)$EI, s1)); phrameE := eval(phrameE, k1, s1))
+phrameS := [(concat("root", string(i1)))::Symbol::EI for i1 in 1..#phrameK]
+for k1 in phrameK for s1 in phrameS repeat (phrameM := concat([eval(m1, k1, s1) for m1 in phrameM], elt(minPoly(k1)$EI, s1)); phrameE := eval(phrameE, k1, s1))
 for m1 in phrameM repeat writeLine!(phrameT, unparse(m1::InputForm))
 writeLine!(phrameT, unparse(phrameE::InputForm))
 close!(phrameT)
