@@ -1,5 +1,7 @@
 #include "phrame/algebra/complex_series.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/result_of.hpp"
 
 namespace phrame::inline v0 {
@@ -33,6 +35,22 @@ ComplexSeries::ComplexSeries(const std::vector<ComplexBall>& ascending) {
 
 ComplexBall ComplexSeries::coefficient(long k) const {
   return result_of<ComplexBall>(acb_poly_get_coeff_acb, raw(), k);
+}
+
+// Each coefficient is what p leaves when it is divided by t − z once more, by Horner's rule.
+ComplexSeries series_at(const BallPolynomial& p, const ComplexBall& z, long length, long bits) {
+  std::vector<ComplexBall> quotient;
+  for (long k = 0; k <= p.degree_bound(); ++k) quotient.emplace_back(p.coefficient(k), RealBall());
+  const std::size_t count = std::min(static_cast<std::size_t>(length), quotient.size());
+  for (std::size_t j = 0; j < count; ++j)
+    for (std::size_t k = quotient.size() - 1; k > j; --k)
+      acb_addmul(quotient[k - 1].raw(), quotient[k].raw(), z.raw(), bits);
+  quotient.resize(count);
+  return ComplexSeries(quotient);
+}
+
+ComplexSeries without_constant(const ComplexSeries& p) {
+  return result_of<ComplexSeries>(acb_poly_shift_right, p.raw(), 1);
 }
 
 ComplexSeries add(const ComplexSeries& p, const ComplexSeries& q, long bits) {

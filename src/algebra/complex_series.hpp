@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/algebra/ball.hpp"
+#include "phrame/algebra/ball_polynomial.hpp"
 
 namespace phrame::inline v0 {
 
@@ -27,6 +27,10 @@ class ComplexSeries {
   flint::AcbPoly handle_;
 };
 
+/// p(z + t).
+ComplexSeries series_at(const BallPolynomial& p, const ComplexBall& z, long length, long bits);
+/// (p − p(0))/t.
+ComplexSeries without_constant(const ComplexSeries& p);
 /// @{ As the functions of the same names for real series.
 ComplexSeries add(const ComplexSeries& p, const ComplexSeries& q, long bits);
 ComplexSeries multiply(const RealBall& c, const ComplexSeries& p, long bits);

@@ -93,21 +93,22 @@ RealBall in_units(double x, long Q) {
 /// ∫y, with what is known of it but for its error.
 template <class Number>
 UnitSeries integrated(const std::vector<Number>& y, long Q) {
-  std::vector<RealBall> coefficients(y.size() + 1);
+  std::vector<Number> coefficients;
+  coefficients.reserve(y.size());
   Number even{};
   Number odd{};
   Number size{};
   for (std::size_t n = 0; n < y.size(); ++n) {
-    const Number c = floor_quotient(y[n], n + 1);
+    const Number& c = coefficients.emplace_back(floor_quotient(y[n], n + 1));
     (n % 2 == 0 ? odd : even) += c;
     if (sign(y[n]) < 0)
       size -= y[n];
     else
       size += y[n];
-    coefficients[n + 1] = in_units(to_integer(c), Q);
   }
   UnitSeries result;
-  result.integral = BallPolynomial(coefficients);
+  result.coefficients = std::move(coefficients);
+  result.Q = Q;
   result.start = in_units(to_integer(Number(even - odd)), Q);
   result.whole = in_units(to_integer(odd) << 1U, Q);
   result.size = in_units(to_integer(size), Q);  // ‖y‖
@@ -167,6 +168,18 @@ std::optional<UnitSeries> short_series(const UnitQuotient& f, const EndOfSeries&
 }
 
 }  // namespace
+
+const BallPolynomial& UnitSeries::integral() const {
+  return integral_.get([this] {
+    std::vector<RealBall> ascending(1);
+    std::visit(
+        [&](const auto& all) {
+          for (const auto& c : all) ascending.push_back(in_units(to_integer(c), Q));
+        },
+        coefficients);
+    return BallPolynomial(ascending);
+  });
+}
 
 std::optional<UnitSeries> unit_series(const UnitQuotient& f, const UnitBounds& bounds, long bits) {
   Aim aim{};

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/answer/writhe_rows.hpp"
+#include "phrame/ph/along/known_poles.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/along/plane_turning.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
@@ -135,19 +136,20 @@ TotalsAnswer answer(const NamedPath& named, const TotalsQuery& query) {
   const std::string no_torsion = why_no_torsion(path);
   const PathTotal length = total_length(path);
   const PathTotal curvature = total_curvature(path);
+  KnownPoles poles;
   totals.add(Quantity::length, length);
   if (ph)
-    totals.add(Quantity::erf_twist, erf_twist(*ph));
+    totals.add(Quantity::erf_twist, erf_twist(*ph, poles));
   else
     totals.add(Quantity::up_twist, reference_twist(angle));
   const auto add_frenet = [&](Quantity quantity, const auto& find) {
     no_torsion.empty() ? totals.add_found(quantity, find) : totals.add_reason(quantity, no_torsion);
   };
-  add_frenet(Quantity::torsion, [&] { return total_torsion(path); });
+  add_frenet(Quantity::torsion, [&] { return total_torsion(path, poles); });
   totals.add(Quantity::curvature, curvature);
   add_absolute_rotation_index(totals, path, curvature);
-  totals.add(Quantity::bending_energy, bending_energy(path));
-  add_frenet(Quantity::frenet_energy, [&] { return frenet_energy(path); });
+  totals.add(Quantity::bending_energy, bending_energy(path, poles));
+  add_frenet(Quantity::frenet_energy, [&] { return frenet_energy(path, poles); });
   add_rotation_index(totals, path);
   const Closure closed = closure(path);
   if (!closed.is_closed)

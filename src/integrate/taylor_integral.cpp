@@ -195,13 +195,17 @@ RootQuotient in_lowest_terms(const RootQuotient& f) {
   if (f.radicand(0) < 0) throw DomainError("the radicand of the integrand is negative");
   if (f.numerator.is_zero()) return {};
   const auto [g, rest] = split_square(f.radicand);
-  const Polynomial all = Rational(g(0).sign()) * f.denominator * g;
+  const bool is_plain = g == Polynomial{1};
+  const Polynomial all = is_plain ? f.denominator : Rational(g(0).sign()) * f.denominator * g;
   const Polynomial common = gcd(f.numerator, all);
-  RootQuotient lowest{exact_quotient(f.numerator, common), exact_quotient(all, common), rest};
+  RootQuotient lowest = common == Polynomial{1} ? RootQuotient{f.numerator, all, rest}
+                                                : RootQuotient{exact_quotient(f.numerator, common),
+                                                               exact_quotient(all, common), rest};
   require_no_zero(lowest.denominator, "denominator");
-  const Rational sign = lowest.denominator(0).sign();
-  lowest.numerator *= sign;
-  lowest.denominator *= sign;
+  if (lowest.denominator(0) < 0) {
+    lowest.numerator = -lowest.numerator;
+    lowest.denominator = -lowest.denominator;
+  }
   return lowest;
 }
 
@@ -262,7 +266,7 @@ RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   const RealBall x =
       times_power_of_two(RealBall(Rational(t - part.middle), precision), part.level + 1);
   const RealBall from_start =
-      subtract(evaluate(here.series.integral, x, precision), here.series.start, precision);
+      subtract(evaluate(here.series.integral(), x, precision), here.series.start, precision);
   return add(here.before, multiply(here.factor, widened(from_start, here.series.error), precision),
              precision);
 }

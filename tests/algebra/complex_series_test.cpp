@@ -64,6 +64,24 @@ TEST_CASE("complex series: law: quotients, roots, powers and logarithms, by goin
   });
 }
 
+TEST_CASE("complex series: p(z + t) is that of a polynomial at z, and what is left without p(z)") {
+  for_samples(20, [](Random& random) {
+    const Polynomial p = random.polynomial(9);
+    const ComplexBall z = random_number(random);
+    const ComplexSeries at = series_at(BallPolynomial(p, bits), z, length, bits);
+    Polynomial derivative = p;
+    Rational factorial = 1;
+    for (long k = 0; k < length; ++k) {
+      const ComplexBall expected =
+          multiply(RealBall(1 / factorial, bits), evaluate(derivative, z, bits), bits);
+      CHECK(at.coefficient(k).overlaps(expected));
+      CHECK(without_constant(at).coefficient(k).is_same_ball(at.coefficient(k + 1)));
+      derivative = differentiate(derivative);
+      factorial *= k + 1;
+    }
+  });
+}
+
 TEST_CASE("complex series: on branch cuts and poles nothing is finite") {
   const auto around = [](const Rational& re, const Rational& im, double radius) {
     const ComplexBall wide(widened(RealBall(re, bits), radius),

@@ -13,7 +13,7 @@ namespace {
 RealBall integral(const UnitQuotient& f, const Rational& x, long bits) {
   const auto series = unit_series(f, *unit_bounds(f), bits);
   REQUIRE(series);
-  const RealBall sum = subtract(evaluate(series->integral, RealBall(x, bits + 64), bits + 64),
+  const RealBall sum = subtract(evaluate(series->integral(), RealBall(x, bits + 64), bits + 64),
                                 series->start, bits + 64);
   return multiply(unit_factor(f, bits + 64), widened(sum, series->error), bits + 64);
 }

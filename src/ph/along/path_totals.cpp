@@ -7,6 +7,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/integrate/integral_sum.hpp"
+#include "phrame/ph/along/known_poles.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/total_rates.hpp"
@@ -109,6 +110,17 @@ bool is_of_roots(const std::vector<PathTotal::Term>& exact) {
                      [](const auto& term) { return is_rational(term.of); });
 }
 
+/// The sum as + makes it, but that each term is asked for a few bits more than the sum, and not the
+/// first one for eight more with each that follows.
+Real sum_at_once(std::vector<Real> terms) {
+  std::erase_if(terms, [](const Real& x) { return x.exact() == Rational(0); });
+  Real sum = Rational(0);
+  for (const Real& x : terms) sum = sum + x;
+  if (terms.size() <= 2) return sum;
+  const Real::Origin origin = sum.origin();
+  return {[all = sum_of(std::move(terms))](long bits) { return all.enclose(bits); }, origin};
+}
+
 PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
   for (const auto& [d, c] : terms.roots.terms()) {
     const auto [group, quotient] = group_of(terms.groups, Rational(d));
@@ -117,15 +129,17 @@ PathTotal sum_of(Terms terms, std::vector<PathTotal::OfSegment> segments) {
   }
   std::optional<std::vector<PathTotal::Term>> exact;
   if (terms.approximate.empty()) exact.emplace();
-  PathTotal total{std::move(segments), sum_of(std::move(terms.approximate)), std::move(exact)};
+  PathTotal total{std::move(segments), Rational(0), std::move(exact)};
+  std::vector<Real> values{sum_of(std::move(terms.approximate))};
   for (const Group& group : terms.groups) {
     const DefiniteIntegral sum = sum_of_integrals(group.integrals);
-    total.value = total.value + square_root_of(group.radicand) * sum.value;
+    values.push_back(square_root_of(group.radicand) * sum.value);
     if (sum.exact && total.exact)
       total.exact->push_back({group.radicand, *sum.exact});
     else
       total.exact.reset();
   }
+  total.value = sum_at_once(std::move(values));
   if (total.exact && total.exact->empty()) total.exact = {{1, ExactValue{}}};
   if (total.exact && !total.value.exact() && is_of_roots(*total.exact))
     total.value = known_irrational(total.value);
@@ -178,10 +192,33 @@ RealBall rational_part(const Path& path, TotalRate (*rate_of)(const Curve&)) {
   return sum;
 }
 
+/// What is integrated along PH curves.
+struct Integrand {
+  TotalRate (*rate)(const Curve&);
+  std::optional<FactoredFunction> (*factors)(const Curve&, const TotalPoles&);
+};
+
+/// Along one PH curve, without a closed form.
+struct OpenTotal {
+  RealBall value;
+  RealBall logarithm;  ///< of the value; unknown where it is not found by its poles
+};
+
+/// To so many bits; no value where value_without_closed_form() has none.
+std::optional<OpenTotal> open_total(const Curve& curve, const TotalPoles& poles,
+                                    const Integrand& of, long bits) {
+  if (const auto factors = of.factors(curve, poles))
+    if (const auto parts = pole_change(*factors, bits))
+      return OpenTotal{parts->whole(bits + 32), parts->logarithm};
+  const auto value = value_without_closed_form(of.rate(curve));
+  if (!value) return std::nullopt;
+  return OpenTotal{value->enclose(bits), RealBall::unknown()};
+}
+
 /// Of several PH curves the sum, where it is seen to be irrational, and not known in finite terms,
 /// for that of the first one is not: without closed forms, which take long and are not asked for.
-std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
-                                        TotalRate (*rate_of)(const Curve&)) {
+std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of, const Integrand& integrand,
+                                        KnownPoles& poles) {
   if (path.segments().size() == 1 || !path.is_ph()) return std::nullopt;
   const SegmentTotal first = of(path.segments().front());
   const auto* finite = std::get_if<PathTotal::OfSegment>(&first);
@@ -192,21 +229,22 @@ std::optional<PathTotal> irrational_sum(const Path& path, OfSegment of,
   terms.reserve(path.segments().size());
   constexpr long bits = first_bits_of_sums;
   RealBall value;
-  RealBall rational;
+  RealBall logarithms;
   Stage stage("segments", path.segments().size());
   for (std::size_t k = 0; k < path.segments().size(); ++k, stage.advance()) {
-    const auto term = [shared, k, rate_of] {
-      return value_without_closed_form(rate_of(*ph_curve(shared->segments()[k])));
-    };
-    const TotalRate rate = rate_of(*ph_curve(path.segments()[k]));
-    const auto found = value_without_closed_form(rate);
+    const Curve& curve = *ph_curve(path.segments()[k]);
+    const auto found = open_total(curve, *poles.of(k, curve), integrand, bits);
     if (!found) return std::nullopt;
-    terms.push_back(kept_ball(*found, [term] { return *term(); }));
-    value = add(value, terms.back().enclose(bits), bits);
-    const auto change = rational.is_finite() ? without_logarithms(rate, bits) : std::nullopt;
-    rational = add(rational, change.value_or(RealBall::unknown()), bits);
+    terms.push_back(Real([shared, k, integrand, known = found->value](long wanted) {
+      if (wanted <= bits) return known;
+      const Curve& again = *ph_curve(shared->segments()[k]);
+      return open_total(again, total_poles(again), integrand, wanted)->value;
+    }));
+    value = add(value, found->value, bits + 32);
+    logarithms = add(logarithms, found->logarithm, bits + 32);
   }
-  if (value.overlaps(rational) && value.overlaps(rational_part(path, rate_of))) return std::nullopt;
+  if (logarithms.contains_zero() && value.overlaps(rational_part(path, integrand.rate)))
+    return std::nullopt;
   return PathTotal{
       {terms.begin(), terms.end()}, known_irrational(sum_of(std::move(terms))), std::nullopt};
 }
@@ -228,8 +266,8 @@ std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of) {
 }
 
 std::variant<PathTotal, Infinite> sum_over(const Path& path, OfSegment of,
-                                           TotalRate (*rate_of)(const Curve&)) {
-  if (auto sum = irrational_sum(path, of, rate_of)) return *std::move(sum);
+                                           const Integrand& integrand, KnownPoles& poles) {
+  if (auto sum = irrational_sum(path, of, integrand, poles)) return *std::move(sum);
   return sum_over(path, of);
 }
 
@@ -464,20 +502,42 @@ PathTotal total_curvature(const Path& path) {
   return total;
 }
 
+PathTotal total_torsion(const Path& path, KnownPoles& poles) {
+  const Integrand integrand{total_torsion_rate, total_torsion_factors};
+  return std::get<PathTotal>(sum_over(path, torsion_of, integrand, poles));
+}
+
+std::variant<PathTotal, Infinite> bending_energy(const Path& path, KnownPoles& poles) {
+  return sum_over(path, bending_of, {bending_energy_rate, bending_energy_factors}, poles);
+}
+
+std::variant<PathTotal, Infinite> frenet_energy(const Path& path, KnownPoles& poles) {
+  return sum_over(path, frenet_energy_of, {frenet_energy_rate, frenet_energy_factors}, poles);
+}
+
+PathTotal erf_twist(const PhPath& path, KnownPoles& poles) {
+  const Integrand integrand{erf_twist_rate, erf_twist_factors};
+  return std::get<PathTotal>(sum_over(path, erf_twist_of, integrand, poles));
+}
+
 PathTotal total_torsion(const Path& path) {
-  return std::get<PathTotal>(sum_over(path, torsion_of, total_torsion_rate));
+  KnownPoles poles;
+  return total_torsion(path, poles);
 }
 
 std::variant<PathTotal, Infinite> bending_energy(const Path& path) {
-  return sum_over(path, bending_of, bending_energy_rate);
+  KnownPoles poles;
+  return bending_energy(path, poles);
 }
 
 std::variant<PathTotal, Infinite> frenet_energy(const Path& path) {
-  return sum_over(path, frenet_energy_of, frenet_energy_rate);
+  KnownPoles poles;
+  return frenet_energy(path, poles);
 }
 
 PathTotal erf_twist(const PhPath& path) {
-  return std::get<PathTotal>(sum_over(path, erf_twist_of, erf_twist_rate));
+  KnownPoles poles;
+  return erf_twist(path, poles);
 }
 
 Real reference_twist(const PathAngle& angle) {

@@ -15,6 +15,8 @@ struct Turning {
 };
 Turning turning_of(const RationalCurve& curve);  ///< these of the curve
 
+Vector<Polynomial> across(const Vector<Rational>& v, const RationalCurve& curve);  ///< v × H
+
 /// θ′ of the rotation-minimizing frame to the frame of v, −e₂′·e₃ =
 ///   −(v·H)·det(v, H, H′)/(√σ·|v × H|²).
 RootQuotient up_frame_turning(const RationalCurve& curve, const Vector<Rational>& v);
@@ -24,8 +26,11 @@ RootQuotient frenet_turning(const RationalCurve& curve);
 
 /// ds/dt with the sign of p, p√σ/W².
 RootQuotient length_rate(const RationalCurve& curve);
-/// κ·|ds/dt| = √ρ/σ up to a sign that changes where ρ has a zero; 0 for a straight line.
+/// @{ κ·|ds/dt| = √ρ/σ up to a sign that changes where ρ has a zero; 0 for a straight line. Of a PH
+/// curve that is so with the σ and ρ of its preimage, too, which have lower degrees.
 RootQuotient curvature_rate(const RationalCurve& curve);
+RootQuotient curvature_rate(const QuaternionPolynomial& preimage);
+/// @}
 /// κ²·ds/dt = ρ·W²/(p·σ²·√σ), with the sign of p.
 RootQuotient bending_rate(const RationalCurve& curve);
 /// (κ² + τ²)·ds/dt = W²·(ρ³ + σ³·det(H, H′, H″)²)/(p·σ²·ρ²·√σ), likewise. Throws DomainError for a

@@ -181,6 +181,8 @@ SegmentIntegral arc_length(const Segment& segment) {
 }
 
 SegmentIntegral bending_angle(const Segment& segment) {
+  if (const auto* ph = std::get_if<PhSegment>(&segment))
+    return {AbsoluteIntegral(phrame::curvature_rate(ph->primitive_preimage()))};
   return visit_curve([](const auto& curve) { return bending_angle_of(curve); }, segment);
 }
 

@@ -56,9 +56,9 @@ CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomia
 
 /// With the sign of the orientation.
 TotalRate oriented(RationalFunction rate, const Polynomial& orientation,
-                   RationalFunction known = {}, std::vector<PolePower> denominator = {}) {
-  if (sign_after_zero(orientation) < 0) return {-rate, orientation, -known, std::move(denominator)};
-  return {std::move(rate), orientation, std::move(known), std::move(denominator)};
+                   RationalFunction known = {}) {
+  if (sign_after_zero(orientation) < 0) return {-rate, orientation, -known};
+  return {std::move(rate), orientation, std::move(known)};
 }
 
 /// The rate without what is known of its integral, which is no logarithm.
@@ -111,6 +111,22 @@ Antiderivative integrate_turning(const TorsionParts& parts, const RationalFuncti
   return F;
 }
 
+/// That of the multiplier, where a polynomial curve has one all along (0, 1).
+std::optional<Rational> constant_sign(const Curve& curve) {
+  const Polynomial& f = curve.multiplier();
+  if (!curve.is_polynomial()) return std::nullopt;
+  if (!f.is_constant() && !odd(real_roots(f, open_interval(0, 1))).empty()) return std::nullopt;
+  return Rational(sign_after_zero(f));
+}
+
+/// The numerator of τ·fσ = …/(σρ).
+const Polynomial& turning(const Curve& curve, const TotalPoles& poles) {
+  return poles.turning.get([&] {
+    const auto [of_bend, of_speed] = closed_split(curve.preimage());
+    return of_bend * poles.rho.polynomial() + of_speed * poles.sigma.polynomial();
+  });
+}
+
 /// Why a rate that is not negative has an infinite integral.
 std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
   const auto poles = real_roots(rate.denominator(), closed_interval(0, 1));
@@ -134,9 +150,7 @@ CurveTotal erf_twist(const Curve& curve) { return total(erf_twist_rate(curve)); 
 TotalRate bending_energy_rate(const Curve& curve) {
   const Polynomial& f = curve.multiplier();
   const Polynomial speed = sigma(curve.preimage());
-  const RationalFunction rate(rho(curve.preimage()) * pow(curve.weight(), 2), f * pow(speed, 3));
-  if (!curve.is_polynomial()) return oriented(rate, f);
-  return oriented(rate, f, {}, {{f, 1}, {speed, 3}});
+  return oriented({rho(curve.preimage()) * pow(curve.weight(), 2), f * pow(speed, 3)}, f);
 }
 
 std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
@@ -155,8 +169,7 @@ TotalRate frenet_energy_rate(const Curve& curve) {
   if (!curve.is_polynomial()) return oriented(frenet_rate_by_t(curve), f);
   const Polynomial size = norm(regular_bend(a));
   return oriented(frenet_rate_by_t(curve), f,
-                  {differentiate(size), Rational(4) * size * f * sigma(a)},
-                  {{f, 1}, {sigma(a), 3}, {rho(a), 2}});
+                  {differentiate(size), Rational(4) * size * f * sigma(a)});
 }
 
 std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
@@ -175,6 +188,36 @@ CurveTotal total_torsion(const Curve& curve) {
   return total(of.rate, integrate_turning(torsion_parts(curve), of.rate), of.orientation);
 }
 
+TotalPoles total_poles(const Curve& curve) {
+  return {sigma(curve.preimage()), rho(curve.preimage())};
+}
+
+std::optional<FactoredFunction> bending_energy_factors(const Curve& curve,
+                                                       const TotalPoles& poles) {
+  const auto sign = constant_sign(curve);
+  if (!sign) return std::nullopt;
+  return FactoredFunction{*sign * poles.rho.polynomial(),
+                          {{curve.multiplier(), 1}, {poles.sigma, 3}}};
+}
+
+std::optional<FactoredFunction> frenet_energy_factors(const Curve& curve, const TotalPoles& poles) {
+  const auto sign = constant_sign(curve);
+  if (!sign || poles.rho.polynomial().is_zero()) return std::nullopt;
+  return FactoredFunction{*sign * (pow(poles.rho.polynomial(), 3) + pow(turning(curve, poles), 2)),
+                          {{curve.multiplier(), 1}, {poles.sigma, 3}, {poles.rho, 2}}};
+}
+
+std::optional<FactoredFunction> total_torsion_factors(const Curve& curve, const TotalPoles& poles) {
+  const auto sign = constant_sign(curve);
+  if (!sign || poles.rho.polynomial().is_zero()) return std::nullopt;
+  return FactoredFunction{*sign * turning(curve, poles), {{poles.sigma, 1}, {poles.rho, 1}}};
+}
+
+std::optional<FactoredFunction> erf_twist_factors(const Curve& curve, const TotalPoles& poles) {
+  if (!curve.is_polynomial()) return std::nullopt;
+  return FactoredFunction{Rational(2) * twist_numerator(curve.preimage()), {{poles.sigma, 1}}};
+}
+
 std::optional<Real> value_without_closed_form(const TotalRate& of) {
   if (!odd(real_roots(of.orientation, open_interval(0, 1))).empty()) return std::nullopt;
   if (count_real_roots(of.rate.denominator(), closed_interval(0, 1)) > 0) return std::nullopt;
@@ -184,11 +227,6 @@ std::optional<Real> value_without_closed_form(const TotalRate& of) {
 Rational without_logarithms(const TotalRate& of) {
   const Antiderivative F = with_known(algebraic_part(unknown_rate(of)).F, of);
   return difference_without_logarithms(F, 0, 1);
-}
-
-std::optional<RealBall> without_logarithms(const TotalRate& of, long bits) {
-  if (of.denominator.empty()) return rational_change(of.rate, {{of.rate.denominator(), 1}}, bits);
-  return rational_change(of.rate, of.denominator, bits);
 }
 
 std::optional<CurveTotal> total_curvature(const Curve& curve) {

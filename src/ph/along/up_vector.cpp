@@ -11,6 +11,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/along/expression_integral.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/formula_domain.hpp"
 #include "phrame/ph/curve/formula_program.hpp"
@@ -101,7 +102,7 @@ bool is_apart(const Path& path, const Vector<Rational>& v) {
 }  // namespace
 
 std::optional<TangentPlace> tangent_along(const RationalCurve& curve, const Vector<Rational>& v) {
-  const Polynomial common = gcd(cross(as_polynomials(v), curve.direction()));
+  const Polynomial common = gcd(across(v, curve));
   if (common.is_zero()) return TangentPlace{closed_interval(0, 0), true};
   if (common.is_constant()) return std::nullopt;
   const auto zeros = located_real_roots(common, closed_interval(0, 1));

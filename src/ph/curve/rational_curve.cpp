@@ -20,7 +20,18 @@ Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
 Polynomial integral(const Polynomial& p, const Polynomial& h) {
   return p.is_constant() ? p.coefficient(0) * antiderivative(h) : antiderivative(p * h);
 }
+/// From 0 to 1, of an h over ℤ.
+Rational whole_integral(const Polynomial& h) {
+  Integer common = 1;
+  for (long k = 2; k <= h.degree() + 1; ++k) common = lcm(common, Integer(k));
+  Integer sum;
+  for (long k = 0; k <= h.degree(); ++k)
+    sum += numerator(h.coefficient(k)) * (common / Integer(k + 1));
+  return {sum, common};
+}
+/// Of an h over ℤ.
 Rational integral(const Polynomial& p, const Polynomial& h, const Rational& t) {
+  if (p.is_constant() && t == 1) return p.coefficient(0) * whole_integral(h);
   return p.is_constant() ? p.coefficient(0) * antiderivative(h)(t) : antiderivative(p * h)(t);
 }
 
@@ -39,14 +50,19 @@ void refuse_zeros(const Polynomial& weight) {
 
 RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomial& weight) {
   if (weight.is_zero()) throw DomainError("the weight function is 0");
-  const Polynomial common = weight.is_constant() ? weight : gcd(gcd(numerator), weight);
-  numerator_ = quotient(numerator, common);
-  weight_ = exact_quotient(weight, common);
-  refuse_zeros(weight_);
-  const Rational unit = Rational(sign_after_zero(weight_)) / abs(content(weight_));
-  if (unit != 1) {
-    weight_ *= unit;
-    for (Polynomial& x : numerator_) x *= unit;
+  if (weight.is_constant()) {
+    numerator_ = weight == Polynomial{1} ? numerator : quotient(numerator, weight);
+    weight_ = {1};
+  } else {
+    const Polynomial common = gcd(gcd(numerator), weight);
+    numerator_ = quotient(numerator, common);
+    weight_ = exact_quotient(weight, common);
+    refuse_zeros(weight_);
+    const Rational unit = Rational(sign_after_zero(weight_)) / abs(content(weight_));
+    if (unit != 1) {
+      weight_ *= unit;
+      for (Polynomial& x : numerator_) x *= unit;
+    }
   }
 
   Vector<Polynomial> hodograph = differentiate(numerator_);
@@ -56,7 +72,7 @@ RationalCurve::RationalCurve(const Vector<Polynomial>& numerator, const Polynomi
   multiplier_ = gcd(hodograph);
   if (multiplier_.is_zero())
     throw DomainError(fmt::format("the curve is the point {}", abbreviated(point(*this, 0))));
-  direction_ = quotient(hodograph, multiplier_);
+  direction_ = multiplier_ == Polynomial{1} ? hodograph : quotient(hodograph, multiplier_);
   Rational scale = common_content({direction_[0], direction_[1], direction_[2]});
   if (sign_after_zero(multiplier_) < 0) scale = -scale;
   for (Polynomial& x : direction_) x *= Rational(1) / scale;
