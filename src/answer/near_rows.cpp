@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
 
 namespace phrame::inline v0 {
@@ -30,25 +31,49 @@ bool are_lengths(const TableColumns& columns) {
   return std::all_of(columns.scalars.begin(), columns.scalars.end(), is_length);
 }
 
+/// Of the coefficients of the preimage, at most.
+long bits_of(const Curve& curve) {
+  long most = 0;
+  const QuaternionPolynomial& a = curve.preimage();
+  for (const Polynomial* p : {&a.u, &a.v, &a.p, &a.q})
+    for (const Rational& c : p->coefficients()) most = std::max(most, phrame::bits_of(c));
+  return most;
+}
+
+/// A row takes some ten microseconds, a piece as long as five to a hundred of them.
+long rows_of_piece(const Segment& segment) {
+  const Curve* curve = ph_curve(segment);
+  return curve == nullptr ? 300 : 300 + 20 * preimage_degree(*curve);
+}
+
+/// With rotation-minimizing frames of PH curves by long fractions a row takes a hundred.
+long rows_of_rmf_piece(const Segment& segment) {
+  const Curve* curve = ph_curve(segment);
+  return rows_of_piece(segment) / (curve == nullptr ? 1 : 1 + bits_of(*curve) / 16);
+}
+
+std::size_t sum_over(const Path& path, long (*of)(const Segment&)) {
+  long sum = 0;
+  for (const Segment& segment : path.segments()) sum += of(segment);
+  return static_cast<std::size_t>(sum);
+}
+
 }  // namespace
 
-// A row takes some ten microseconds, a piece as long as five to a hundred of them. By arc length t
-// is the root of a polynomial.
+// By arc length t is the root of a polynomial.
 std::size_t many_rows(const Path& path, bool is_by_length) {
-  std::size_t many = 0;
-  for (const Segment& segment : path.segments()) {
-    const Curve* curve = ph_curve(segment);
-    many += curve == nullptr ? 300 : 300 + 20 * static_cast<std::size_t>(preimage_degree(*curve));
-  }
-  return is_by_length ? many / 8 : many;
+  return is_by_length ? sum_over(path, rows_of_piece) / 8 : sum_over(path, rows_of_rmf_piece);
 }
 
 NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
                    const RowPlaces& places)
     : columns_(columns), places_(places), orientations_(columns) {
   const Path& path = angle.path();
+  const bool is_by_length = places.is_by_length();
+  const std::size_t many = is_by_length || are_of_rmf(columns) ? many_rows(path, is_by_length)
+                                                               : sum_over(path, rows_of_piece);
   if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet ||
-      places.size() < many_rows(path, places.is_by_length()))
+      places.size() < many)
     return;
   const bool has_length = !columns.scalars.empty() && are_lengths(columns);
   if (places.is_by_length() || has_length)

@@ -11,6 +11,7 @@
 // E = D·gcd(R, S)/R with the product R of the different factors of D. Towards infinity A/E·√S grows
 // as t·N/(D√S), or tends to a constant, which its derivative does not show: so the degree of A is
 // known. Another algebraic antiderivative would be its conjugate with −√S, up to a constant.
+// Without D, a squarefree S that divides N, as it does for lengths, divides A·S′, so A.
 
 namespace phrame::inline v0 {
 namespace {
@@ -43,6 +44,8 @@ std::optional<AlgebraicIntegral> algebraic_integral(const RootQuotient& f) {
   const Polynomial E = D.is_constant() ? Polynomial{1} : exact_quotient(D * gcd(R, S), R);
   const long most = degree_bound(f, E);
   if (most < 0 || most >= most_unknowns || N.degree() > 2 * most_unknowns) return std::nullopt;
+  if (D.is_constant() && most < S.degree() && is_squarefree(S) && (N % S).is_zero())
+    return std::nullopt;
   const Polynomial slope = Rational(1, 2) * differentiate(S) * E - differentiate(E) * S;
   std::vector<Polynomial> columns;
   for (long k = 0; k <= most; ++k) {

@@ -20,18 +20,7 @@ Vector<Polynomial> quotient(const Vector<Polynomial>& v, const Polynomial& by) {
 Polynomial integral(const Polynomial& p, const Polynomial& h) {
   return p.is_constant() ? p.coefficient(0) * antiderivative(h) : antiderivative(p * h);
 }
-/// From 0 to 1, of an h over ℤ.
-Rational whole_integral(const Polynomial& h) {
-  Integer common = 1;
-  for (long k = 2; k <= h.degree() + 1; ++k) common = lcm(common, Integer(k));
-  Integer sum;
-  for (long k = 0; k <= h.degree(); ++k)
-    sum += numerator(h.coefficient(k)) * (common / Integer(k + 1));
-  return {sum, common};
-}
-/// Of an h over ℤ.
 Rational integral(const Polynomial& p, const Polynomial& h, const Rational& t) {
-  if (p.is_constant() && t == 1) return p.coefficient(0) * whole_integral(h);
   return p.is_constant() ? p.coefficient(0) * antiderivative(h)(t) : antiderivative(p * h)(t);
 }
 
