@@ -83,6 +83,19 @@ def points(n, digits=16):
     return "x,y,z\n" + "".join(",".join(f"{x:.{digits}g}" for x in row) + "\n" for row in rows)
 
 
+def svg_path(n):
+    """Lines and curves of both degrees with a corner at nearly every joint."""
+    rng = random.Random(n)
+    x = y = 0
+    d = "M0 0"
+    for k in range(n):
+        to, up = x + rng.randint(5, 9), y + rng.randint(-9, 9)
+        d += (f"L{to} {up}", f"Q{x + 2} {y + rng.randint(-5, 5)} {to} {up}",
+              f"C{x + 1.5} {y + rng.randint(-5, 5)} {to - 2} {up + rng.randint(-5, 5) / 4} {to} {up}")[k % 3]
+        x, y = to, up
+    return f'<svg xmlns="http://www.w3.org/2000/svg"><path d="{d}"/></svg>'
+
+
 def least(ask, times):
     return min(ask() for _ in range(times))
 
@@ -186,6 +199,7 @@ def beside(program):
     thousand = program.file("thousand.csv", points(1000))
     ph = program.folder / "ph.json"
     program.run("construct", thousand, "-o", ph)
+    corners = program.file("corners.svg", svg_path(10_000))
     frames = program.folder / "frames.csv"
     program.run("frames", quintic, "--samples", 100_001, "-o", frames)
     noisy = program.folder / "noisy.csv"  # to six decimals
@@ -218,6 +232,9 @@ def beside(program):
         ("5000 digits of a quartic Bézier's angle", ("angle", quartic, "--at", 1, "--digits", 5000), "1000 digits", ("angle", quartic, "--at", 1, "--digits", 1000)),
         ("`angle` of a C² spline, 10⁴ points", ("angle", spline, "--at", 1), "`info`", ("info", spline)),
         ("`totals` of 999 PH quintics", ("totals", ph), "`angle`", ("angle", ph, "--at", 1)),
+        ("`frames`, 10⁵ rows along them", ("frames", ph, "--samples", 100_001), "along one quintic", by_t),
+        ("`frames --frame frenet`, 10⁴ rows along them", ("frames", ph, "--samples", 10_001, "--frame", "frenet"), "`frames`", ("frames", ph, "--samples", 10_001)),
+        ("`info` of an SVG path with corners, 10⁴ commands", ("info", corners), "`angle`", ("angle", corners, "--at", 1)),
         ("`construct` through 1000 points", ("construct", thousand), "`angle` of that", ("angle", ph, "--at", 1)),
         ("`compile` of the knot", ("compile", KNOT), "`angle`", ("angle", KNOT, "--at", 1)),
         ("`page` of degree 81", ("page", m81), "`angle`", ("angle", m81, "--at", 1)),

@@ -46,10 +46,12 @@ long rows_of_piece(const Segment& segment) {
   return curve == nullptr ? 300 : 300 + 20 * preimage_degree(*curve);
 }
 
-/// With rotation-minimizing frames of PH curves by long fractions a row takes a hundred.
+/// With rotation-minimizing frames of PH curves by long fractions a row takes up to ten times as
+/// long, and a piece no more.
 long rows_of_rmf_piece(const Segment& segment) {
+  constexpr long most = 8;
   const Curve* curve = ph_curve(segment);
-  return rows_of_piece(segment) / (curve == nullptr ? 1 : 1 + bits_of(*curve) / 16);
+  return rows_of_piece(segment) / (curve == nullptr ? 1 : std::min(most, 1 + bits_of(*curve) / 16));
 }
 
 std::size_t sum_over(const Path& path, long (*of)(const Segment&)) {

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "phrame/algebra/ball_log.hpp"
-#include "phrame/algebra/complex_series.hpp"
 #include "phrame/algebra/numerical_integral.hpp"
-#include "phrame/algebra/roots.hpp"
+#include "phrame/integrate/pole_change.hpp"
 #include "phrame/ph/along/totals.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -86,64 +84,7 @@ double approximate_turning(std::span<const Quaternion<double>> a) {
 
 namespace {
 
-/// 2 Re ∫₀¹ of the principal part of N/S³ at a simple zero z of S in the upper half plane: with
-/// t = z + x and S = x·E it is s₀/x³ + s₁/x² + s₂/x, s₀ + s₁x + s₂x² + … = N/E³.
-class PrincipalParts {
- public:
-  PrincipalParts(const Polynomial& n, const Polynomial& s)
-      : n_(taylor(n)), e_(taylor(differentiate(s))) {
-    e_[1] *= Rational(1, 2);
-    e_[2] *= Rational(1, 3);
-  }
-
-  RealBall integral(const ComplexBall& z, long bits) const {
-    const ComplexSeries e = series(e_, z, bits);
-    const ComplexSeries s = divide_series(
-        series(n_, z, bits), multiply_series(e, multiply_series(e, e, 3, bits), 3, bits), 3, bits);
-    const ComplexBall at_end = inverse(subtract(one_, z, bits), bits);
-    const ComplexBall at_start = inverse(subtract({}, z, bits), bits);
-    const ComplexBall change = subtract(at_start, at_end, bits);
-    const ComplexBall mean = multiply(half_, add(at_start, at_end, bits), bits);
-    const ComplexBall outer = add(s.coefficient(1), multiply(s.coefficient(0), mean, bits), bits);
-    const ComplexBall turn = log(multiply(subtract(one_, z, bits), at_start, bits), bits);
-    const ComplexBall whole =
-        add(multiply(s.coefficient(2), turn, bits), multiply(outer, change, bits), bits);
-    return times_power_of_two(whole.re(), 1);
-  }
-
- private:
-  using Taylor = std::array<Polynomial, 3>;
-
-  static Taylor taylor(const Polynomial& p) {
-    const Polynomial slope = differentiate(p);
-    return {p, slope, Rational(1, 2) * differentiate(slope)};
-  }
-  static ComplexSeries series(const Taylor& p, const ComplexBall& z, long bits) {
-    return ComplexSeries(
-        {evaluate(p[0], z, bits), evaluate(p[1], z, bits), evaluate(p[2], z, bits)});
-  }
-
-  Taylor n_;
-  Taylor e_;
-  ComplexBall one_{RealBall(Rational(1), 8), {}};
-  RealBall half_{Rational(1, 2), 8};
-};
-
 constexpr long wanted_bits = 26;
-
-/// ∫₀¹ N/S³, proper, over the zeros of S. No value where these are not simple, or too near.
-std::optional<RealBall> integral_by_poles(const Polynomial& n, const Polynomial& s) {
-  if (s.is_constant() || !is_squarefree(s)) return std::nullopt;
-  const PrincipalParts parts(n, s);
-  for (long bits = 96; bits <= 1024; bits *= 2) {
-    const Roots roots = isolate_roots(s, bits);
-    if (!roots.real.empty()) return std::nullopt;
-    RealBall sum;
-    for (const ComplexBall& z : roots.upper) sum = add(sum, parts.integral(z, bits), bits);
-    if (sum.accuracy_bits() >= wanted_bits) return sum;
-  }
-  return std::nullopt;
-}
 
 std::optional<RealBall> integral_by_quadrature(const Curve& curve, const Polynomial& bend,
                                                const Polynomial& size) {
@@ -171,9 +112,8 @@ std::optional<RealBall> proved_energy(const Curve& curve) {
   const Polynomial size = sigma(curve.preimage());
   if (bend.is_zero()) return RealBall();
   if (curve.multiplier().is_constant())
-    if (const auto found = integral_by_poles(bend, size))
-      return absolute(
-          divide(*found, RealBall(curve.multiplier().coefficient(0), wanted_bits + 32), 64));
+    if (const auto found = pole_change({bend, {{curve.multiplier(), 1}, {size, 3}}}, wanted_bits))
+      return absolute(found->whole(wanted_bits + 32));
   if (const auto found = integral_by_quadrature(curve, bend, size)) return found;
   const auto exact = bending_energy(curve);
   if (std::holds_alternative<Infinite>(exact)) return std::nullopt;

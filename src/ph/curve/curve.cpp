@@ -122,22 +122,17 @@ namespace {
 
 constexpr long most_differences = 5;
 
-/// Σ C(m, k)·Δᵏb₀·tᵏ, m ≥ 0: the shortest way for low degrees; over one denominator.
-Polynomial from_differences(const std::vector<Rational>& b) {
-  Integer common = 1;
-  for (const Rational& x : b) common = lcm(common, denominator(x));
-  std::vector<Integer> differences;
-  for (const Rational& x : b) differences.push_back(numerator(x) * (common / denominator(x)));
+/// Σ C(m, k)·Δᵏb₀·tᵏ, m ≥ 0: the shortest way for low degrees.
+Polynomial from_differences(std::vector<Rational> b) {
   const std::size_t m = b.size() - 1;
   for (std::size_t k = 1; k <= m; ++k)
-    for (std::size_t j = m; j >= k; --j) differences[j] -= differences[j - 1];
-  Integer binomial = 1;
-  std::vector<Rational> coefficients;
-  for (std::size_t k = 0; k <= m; ++k) {
-    if (k > 0) binomial = binomial * Integer(m - k + 1) / Integer(k);
-    coefficients.emplace_back(differences[k] * binomial);
+    for (std::size_t j = m; j >= k; --j) b[j] -= b[j - 1];
+  Rational binomial = 1;
+  for (std::size_t k = 1; k <= m; ++k) {
+    binomial = binomial * (m - k + 1) / k;
+    b[k] *= binomial;
   }
-  return Rational(Integer(1), common) * Polynomial(coefficients);
+  return Polynomial(b);
 }
 
 }  // namespace
