@@ -19,7 +19,7 @@ set(rooms algebra integrate ph/curve ph/along ph/frame ph/twist ph/construct ph/
 # What io/write may include: the values that answers are made of, with the polynomials of a curve.
 set(value_header "^(algebra|answer|io/write)/\
 |^integrate/(antiderivative|exact_value|other_form|path_end|pole_table|radicals|real_form)\\.hpp$\
-|^ph/curve/(corner|curve|invariants|named|nearness|path|ph_path|quaternion|rational_curve|special_points|vector)\\.hpp$\
+|^ph/curve/(corner|curve|hodograph_fraction|invariants|named|nearness|path|ph_path|quaternion|rational_curve|special_points|vector)\\.hpp$\
 |^ph/along/frame_angle\\.hpp$\
 |^ph/frame/frame_start\\.hpp$\
 |^ph/proof/(certificate|statement)\\.hpp$\

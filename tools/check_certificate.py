@@ -537,13 +537,21 @@ count = expect(lambda x: type(x) is int and abs(x) <= MAX_COUNT,
                "an integer is wanted, without quotes and not above %d" % MAX_COUNT)
 VECTOR, COMPLEX, SIZE = (rational,) * 3, (integer, integer), at_least(0, integer)
 OPTIONAL = ("name", "note", "start", "multiplier")  # all of them are keys of a curve
+AXES = ("x", "y", "z")
 ROOT = {"center": COMPLEX, "radius": SIZE, "residue": COMPLEX, "residue_radius": SIZE}
 CLAIM, TURN = {"t": rational, "theta": decimal, "radius": bound}, {"index": count, "signs": (signs, signs)}
 
 
-def form_of_curve(most):
+def form_of_curve(most, is_rational):
+    multiplier = ({"numerator": nonzero(poly(most)), "denominator": nonzero(poly(most))} if is_rational else
+                  nonzero(poly(most, 1)))
     return {"phrame": one_of("curve/1"), "name": string, "note": string, "start": VECTOR, "basis": one_of("power"),
-            "preimage": {key: poly(most, 1) for key in "uvpq"}, "multiplier": nonzero(poly(most, 1))}
+            "preimage": {key: poly(most, 1) for key in "uvpq"}, "multiplier": multiplier}
+
+
+def form_of_position(most):
+    weight = expect(lambda w: not w.is_constant() and w.c[0], "it is constant, or 0 at t = 0", poly(most))
+    return {**{key: poly(most) for key in AXES}, "w": weight}
 
 
 def form_of_decisions(most):
@@ -560,12 +568,15 @@ def form_of_decisions(most):
             "erf_monotone": decision({"zeros_of_h": points, "extrema": points}, always=True)}
 
 
-def form_of_certificate(most, frenet):
-    """Polynomials have at most so many coefficients. The Frenet frame has `bend` and the turns of the claims."""
+def form_of_certificate(most, frenet, is_rational):
+    """Polynomials have at most so many coefficients. The Frenet frame has `bend` and the turns of the claims, a
+    rational curve its `position`."""
     some, logs = poly(most), {"index": expect(lambda q: not q.is_constant(), "it is constant", poly(most)),
                               "residue": poly(most), "roots": [ROOT]}
     more = ({"claims": [{**CLAIM, "turn": TURN}], "bend": {"polynomial": complex_poly(most), "content": some}}
             if frenet else {"claims": [CLAIM]})
+    if is_rational:
+        more["position"] = lambda value, place: value
     return {"phrame": one_of("certificate/1"), "curve": lambda value, place: value, "frame": one_of("erf", "frenet"),
             "hodograph": (some,) * 3, "sigma": some, "h": some, "g": complex_poly(most),
             "rate": {"numerator": some, "denominator": some, "common": some,
@@ -577,8 +588,9 @@ def form_of_certificate(most, frenet):
 def work(C, D):
     """What it takes to check the certificate, in the units of the page: a nanosecond or less."""
     logs, claims, d, is_frenet = C.antiderivative.logs, C.claims, C.decisions, C.frame == "frenet"
-    a, n = max(p.bits() for p in C.A + [C.f]), sum(len(log.roots) for log in logs)
-    total = 50 * D ** 3 * (1 + a // 64) + TAKEN.volume ** 2 * (len(logs) + 1) // 63000
+    n = sum(len(log.roots) for log in logs)
+    a = max(p.bits() for p in C.A + [C.n, C.d] + (C.r or []))
+    total = 50 * D ** 3 * (1 + a // 64) + D ** 2 * a ** 2 // 2 + TAKEN.volume ** 2 * (len(logs) + 1) // 63000
     total += D ** 4 * a ** 2 // 6000 if is_frenet else 0
     for log in logs:
         k, b = len(log.index.c), max(log.index.bits(), log.residue.bits())
@@ -609,14 +621,22 @@ def read_of_curve(value, place, limits):
     TAKEN.volume = TAKEN.zeros = 0
     curve = value.get("curve") if isinstance(value, dict) else None
     frenet = isinstance(value, dict) and value.get("frame") == "frenet"
-    K = read(form_of_curve(limits.max_degree + 1), curve, place + "/curve") if curve is not None else None
-    m, f = (max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1) if K else (0, 0)
+    is_rational = isinstance(curve, dict) and isinstance(curve.get("multiplier"), dict)
+    most, m, f, r = limits.max_degree + 1, 0, 0, None
+    K = read(form_of_curve(most, is_rational), curve, place + "/curve") if curve is not None else None
+    if K:
+        n, d = getattr(K, "multiplier", Poly([1])), Poly([1])
+        m, f = max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1
+    if is_rational and "position" in value:
+        n, d, P = n.numerator, n.denominator, read(form_of_position(most), value["position"], place + "/position")
+        r = [P.x, P.y, P.z, P.w]
+        f = max(0, len(n.c) + 2 * len(P.w.c) - len(d.c) - 2) + len(P.w.c) - 1
     D = 4 * m + 2 * f + 2
-    C = read(form_of_certificate(D + 1, frenet), value, place)
-    C.curve, C.f, C.A = K, getattr(K, "multiplier", Poly([1])), [getattr(K.preimage, key) for key in "uvpq"]
+    C = read(form_of_certificate(D + 1, frenet, is_rational), value, place)
+    C.curve, C.n, C.d, C.r, C.A = K, n, d, r, [getattr(K.preimage, key) for key in "uvpq"]
     if not any(C.A):
         fail(place + "/curve", "a preimage that is not 0 is wanted", curve)
-    degree = 2 * max(len(a.c) for a in C.A) + len(C.f.c) - 2
+    degree = max(len(a.c) for a in r) - 1 if r else 2 * max(len(a.c) for a in C.A) + len(n.c) - 2
     if degree > limits.max_degree:
         fail(place + "/curve", "the degree is %d, beyond the limit %d (--max-degree)" % (degree, limits.max_degree), curve)
     name_claims(C.claims, value)
@@ -642,6 +662,21 @@ def read_of_path(value, limits):
     return P, total + sum(works)
 
 
+def complete(C, place):
+    """With f = n W^2/d and W, which is 1 of a polynomial curve: r' = f A i A*/W^2 and r(0) are those of r = X/W."""
+    C.start = getattr(C.curve, "start", [0, 0, 0])
+    if not C.r:
+        C.f, C.W = C.n, Poly([1])
+        return
+    *X, C.W = C.r
+    C.f, rest = divmod(C.n * C.W * C.W, C.d)
+    slope = C.W.derivative()
+    if rest or [x.derivative() * C.W - x * slope for x in X] != hodograph_of(C.f, C.A):
+        raise Malformed("%s/position: its derivative is not that of the curve" % place)
+    if [x(0) for x in X] != [s * C.W(0) for s in C.start]:
+        raise Malformed("%s/position: it does not begin at the start" % place)
+
+
 def read_certificate(data, limits):
     """All that is in the file."""
     value = parsed(data)
@@ -650,6 +685,8 @@ def read_certificate(data, limits):
     most = MAX_WORK * max(len(data), FULL_SIZE) ** 2 // FULL_SIZE ** 2
     if total > most and not limits.unlimited:
         raise Malformed("/: to check it is work of %d, beyond the limit %d (--unlimited)" % (total, most))
+    for k, part in enumerate(C.segments if is_path else [C]):
+        complete(part, "/segments/%d" % k if is_path else "")
     return C
 
 
@@ -667,11 +704,19 @@ def integral_of(a):
     return Poly([0] + [x * (common // k) for k, x in enumerate(a.c, 1)], a.d * common)
 
 
-def exact_form(hodograph, start):
+def in_lowest_terms(hodograph, over):
+    """The numerators and the denominator of hodograph/over without a common factor, the denominator 1 at t = 0."""
+    K = common(over, *hodograph)
+    *hodograph, over = [a.over(K) for a in (*hodograph, over)]
+    scale = 1 / over(0)
+    return [a * scale for a in hodograph], over * scale
+
+
+def exact_form(hodograph, over, start):
     """The canonical text of a curve: r' and r(0) as the page says."""
-    lists = [[Fraction(x, a.d) for x in a.c] for a in hodograph] + [start]
-    return "".join(" ".join([name] + [str(x) for x in numbers]) + "\n"
-                   for name, numbers in zip(("dx", "dy", "dz", "start"), lists))
+    names = [("dx", hodograph[0]), ("dy", hodograph[1]), ("dz", hodograph[2])] + [("over", over)] * (not over.is_constant())
+    lists = [(name, [Fraction(x, a.d) for x in a.c]) for name, a in names] + [("start", start)]
+    return "".join(" ".join([name] + [str(x) for x in numbers]) + "\n" for name, numbers in lists)
 
 
 def hash_of(curves):
@@ -688,15 +733,36 @@ def from_bernstein(c):
     return over_one_denominator(out)
 
 
+def position_of(hodograph, over, start):
+    """(X, W) with r = X/W, from r' = hodograph/over in lowest terms: W = gcd(over, over'), since a pole of r' of order
+    k + 1 is one of order k of r; and X is W times the Taylor series of r at 0."""
+    W = common(over, over.derivative())
+    n = max([len(W.c)] + [len(a.c) + len(W.c) - len(over.c) + 1 for a in hodograph])  # more than the degree of X
+    X = []
+    for a, x in zip(hodograph, start):
+        r = [x]
+        for k in range(n - 1):
+            c = Fraction(a.c[k], a.d) if k < len(a.c) else 0
+            c -= sum(Fraction(y, over.d) * r[k - j + 1] * (k - j + 1) for j, y in enumerate(over.c[1:k + 1], 1))
+            r.append(c / over(0) / (k + 1))
+        X.append(over_one_denominator([sum(y * z for y, z in zip(W.c, r[k::-1])) for k in range(n)]))
+    slope = W.derivative()
+    is_that = all((x.derivative() * W - x * slope) * over == a * W * W for x, a in zip(X, hodograph))
+    return (X, W) if is_that else fail("", "the curve is not rational", None)
+
+
 def read_curves(name, limits):
-    """[(r', r(0), A or None)] of a curve/1 with a preimage or with control points, or of a spline/1 of these; numbers
-    as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
+    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 with a preimage, control points or a position, or of
+    a spline/1 of these; numbers as these files have them, but for hexadecimal ones. A segment without a start goes on
+    where the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
     is_spline = isinstance(value, dict) and isinstance(value.get("segments"), list) and value["segments"]
     for k, part in enumerate(value["segments"] if is_spline else [value]):
-        hodograph, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
-        end = [x + integral_of(a)(1) for x, a in zip(start, hodograph)]
-        curves.append((hodograph, start, A))
+        hodograph, over, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
+        if is_spline:
+            X, W = position_of(hodograph, over, start)
+            end = [x(1) / W(1) for x in X]
+        curves.append((hodograph, over, start, A))
     return curves
 
 
@@ -711,22 +777,50 @@ def read_curve(value, at, limits, end):
     def numbers(x, place):
         c = read([number], x, place)
         return c if 0 < len(c) <= limits.max_degree + 1 else fail(place, "too many coefficients, or none", x)
-    if not isinstance(value, dict) or not ("preimage" in value or "control_points" in value) or "weights" in value:
-        fail(at, "a curve/1 with a preimage or control points is wanted (phrame identify --print curve)", value)
+
+    def polynomial(x, place):
+        return (from_bernstein if basis == "bernstein" else over_one_denominator)(numbers(x, place))
+
+    def quotient(X, W, place):
+        """Of r = X/W."""
+        if not W(0) or not W(1):
+            fail(place, "the weight is 0 at an end", value)
+        slope = W.derivative()
+        hodograph = [x.derivative() * W - x * slope for x in X]
+        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], None
+
+    if not isinstance(value, dict) or not any(key in value for key in ("preimage", "control_points", "position")):
+        fail(at, "a curve/1 with a preimage, control points or a position is wanted (phrame identify --print curve)", value)
     if "control_points" in value:
         points = read([(number,) * 3], value["control_points"], at + "/control_points")
-        n = len(points) - 1
-        if not 0 < n <= limits.max_degree:
-            fail(at + "/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), n + 1)
-        return [from_bernstein([(b - a) * n for a, b in zip(c, c[1:])]) for c in zip(*points)], points[0], None
+        if not 1 < len(points) <= limits.max_degree + 1:
+            fail(at + "/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), len(points))
+        weights = read((number,) * len(points), value.get("weights", [1] * len(points)), at + "/weights")
+        X = [from_bernstein([w * x for w, x in zip(weights, c)]) for c in zip(*points)]
+        return quotient(X, from_bernstein(weights), at + "/weights")
     basis = one_of("power", "bernstein")(value.get("basis"), at + "/basis")
-    preimage = read({key: numbers for key in "uvpq"}, value["preimage"], at + "/preimage")
-    lists = [getattr(preimage, key) for key in "uvpq"] + [numbers(value.get("multiplier", [1]), at + "/multiplier")]
-    *A, f = [from_bernstein(c) if basis == "bernstein" else over_one_denominator(c) for c in lists]
-    if next((x for x in f.c if x), 0) < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
+    if "position" in value:
+        place, given = at + "/position", value["position"]
+        if not isinstance(given, dict):
+            fail(place, "an object is wanted", given)
+        lists = {"z": [0], "w": [1], **given}
+        *X, W = [polynomial(lists.get(key), "%s/%s" % (place, key)) for key in (*AXES, "w")]
+        return quotient(X, W, place)
+    preimage = read({key: polynomial for key in "uvpq"}, value["preimage"], at + "/preimage")
+    A, f = [getattr(preimage, key) for key in "uvpq"], value.get("multiplier", [1])
+    if isinstance(f, dict):
+        f = read({"numerator": polynomial, "denominator": polynomial}, f, at + "/multiplier")
+        f, over = f.numerator, f.denominator
+        if not over(0):
+            fail(at + "/multiplier", "it has a pole at t = 0", value["multiplier"])
+    else:
+        f, over = polynomial(f, at + "/multiplier"), Poly([1])
+    first = next((x for x in f.c if x), 0) * next((x for x in over.c if x), 0)
+    if first < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
         u, v, p, q = A
         A, f = [p * -1, q * -1, u, v], f * -1
-    return hodograph_of(f, A), (read((number,) * 3, value["start"], at + "/start") if "start" in value else end), A
+    start = read((number,) * 3, value["start"], at + "/start") if "start" in value else end
+    return *in_lowest_terms(hodograph_of(f, A), over), start, A
 
 
 # The proof.
@@ -795,9 +889,11 @@ class Statements:
         wanted = len(self.claims)
         require(len(rows) == wanted, "it has %d rows, and there are %d angles" % (len(rows), wanted))
         require(next(c for c in self.f.c if c) > 0, "the multiplier is negative at the start")
+        self.rest_on_weights()
         a, b = self.first_normal()
         for k, (row, claim) in enumerate(zip(rows, self.claims), 1):
             self.rest_on([claim.text])
+            require(self.is_on(claim.t), "a t is not on the path")
             r, (e1, e2, e3) = self.place(claim.t)
             C, S, off = (1, 0, 0) if self.is_zero(claim.t) else cos_sin_of(claim)
             C, S, off = C * a - S * b, S * a + C * b, off * (abs(a) + abs(b))
@@ -822,8 +918,8 @@ class Proof(Statements):
     def __init__(self, C, prefix=""):
         super().__init__(C.claims, prefix)
         self.C, self.fixed, self.sturm = C, {}, {}
-        self.start = getattr(C.curve, "start", [0, 0, 0])
-        self.frenet, self.B, self.f = C.frame == "frenet", C.bits, C.f
+        self.start, self.f, self.W = C.start, C.f, C.W
+        self.frenet, self.B = C.frame == "frenet", C.bits
         self.sigma, self.h, self.g = invariants_of(C.A)
         self.xyz, self.hodograph = hodograph_of(Poly([1]), C.A), hodograph_of(C.f, C.A)
         self.K0 = common(*C.A)
@@ -843,6 +939,8 @@ class Proof(Statements):
     def run(self):
         """All statements: a list of (is proved, line)."""
         self.state("invariants", self.invariants)
+        if self.C.r:
+            self.state("weight", self.weight)
         self.state("rate", self.rate)
         self.state("antiderivative", self.antiderivative)
         self.needed = ["rate", "antiderivative"]  # what the angle rests on
@@ -860,14 +958,20 @@ class Proof(Statements):
             self.state("decision %s: %s" % (name, answer), getattr(self, name), (), decision)
         return self.lines
 
+    @cached_property
+    def derivative(self):
+        """r' in lowest terms."""
+        return in_lowest_terms(self.hodograph, self.W * self.W)
+
     def curves(self):
-        return [(self.hodograph, self.start)]
+        return [(*self.derivative, self.start)]
 
     def is_of(self, curves):
         """The curve is that of a file. Euler-Rodrigues frames are the same but for a constant turn if h/sigma is."""
         require_same(self.curves(), curves)
-        if curves[0][2] and not self.frenet:
-            require(self.has_rate(curves[0][2]) > 0, "its preimage, and so its Euler-Rodrigues frame, is another one")
+        *_, A = curves[0]
+        if A and not self.frenet:
+            require(self.has_rate(A) > 0, "its preimage, and so its Euler-Rodrigues frame, is another one")
 
     def has_rate(self, A):
         """Is h/sigma that of A (1), or the opposite (-1)?"""
@@ -878,6 +982,11 @@ class Proof(Statements):
         """What is written is what follows from the curve. All else uses what is computed."""
         for name in ("hodograph", "sigma", "h", "g"):
             require(getattr(self.C, name) == getattr(self, name), "%s is not that of the curve" % name)
+
+    def weight(self):
+        """r = X/W has no pole on [0, 1]."""
+        W = self.W.over(common(self.W, self.W.derivative()))
+        require(not W.zeros(Fraction(0), Fraction(1)), "w has a zero on [0, 1]")
 
     def rate(self):
         """-2h = NK and sigma = DK; N and D are coprime, since they are so modulo p."""
@@ -1021,7 +1130,9 @@ class Proof(Statements):
         return tuple(sum(x * y for x, y in zip(f2, e)) for e in (e2, e3))
 
     def place(self, t):
-        """r and (e1, e2, e3) at t."""
+        """r and (e1, e2, e3) at t, where W is not 0."""
+        if self.C.r:
+            return [x(t) / self.W(t) for x in self.C.r[:3]], self.axes(t)
         return [x + a(t) for x, a in zip(self.start, self.integrals)], self.axes(t)
 
     @cached_property
@@ -1030,6 +1141,12 @@ class Proof(Statements):
 
     def is_zero(self, t):
         return t == 0 or not self.N
+
+    def is_on(self, t):
+        return not self.C.r or 0 <= t <= 1
+
+    def rest_on_weights(self):
+        self.rest_on(["weight"] if self.C.r else [])
 
     # The decisions: x, y, z stand for A i A*, and each law is that of the page's table.
 
@@ -1078,7 +1195,7 @@ class Proof(Statements):
 
     def primitive(self, decision):
         require(decision.content, "the content is 0")
-        parts = [a.over(decision.content) for a in self.hodograph]
+        parts = [a.over(decision.content) for a in self.derivative[0]]
         require(common(*parts).is_constant(), "the content is not the greatest common divisor")
         require(decision.answer == decision.content.is_constant(), "content and answer contradict each other")
 
@@ -1104,8 +1221,8 @@ class Proof(Statements):
         require(is_found, "the rational part is constant, and no residue is proved to be outside iZ")
 
     def erf_monotone(self, decision):
-        """The zeros of N, then the real ones of (h/(f sigma^2))' = (h0/(f K0^2 sigma0^2))', where sigma0 has
-        none (u, v, p, q of A0 would be 0 there). With H/e = h0/(f K0^2) in lowest terms the derivative is
+        """The zeros of N, then the real ones of (h W^2/(f sigma^2))' = (h0 W^2/(f K0^2 sigma0^2))', where sigma0
+        has none (u, v, p, q of A0 would be 0 there). With H/e = h0 W^2/(f K0^2) in lowest terms the derivative is
         (H' e sigma0 - H (e' sigma0 + 2 e sigma0'))/(e^2 sigma0^3). At a zero of e of order k the numerator
         has the order k - 1, as has gcd(e, e'), by which it is divided."""
         self.rest_on(["rate"])
@@ -1114,16 +1231,17 @@ class Proof(Statements):
                     for a in decision.zeros_of_h)  # a zero of odd order, neither at 0 nor at 1
         require(decision.answer == (not turns), "zeros_of_h and answer contradict each other")
         e, sigma = self.f * self.K0 * self.K0, self.sigma0
-        K = common(self.h0, e)
-        H, e = self.h0.over(K), e.over(K)
+        H = self.h0 * self.W * self.W
+        K = common(H, e)
+        H, e = H.over(K), e.over(K)
         P = H.derivative() * e * sigma - H * (e.derivative() * sigma + e * sigma.derivative() * 2)
         check_points(P.over(common(e, e.derivative())), decision.extrema, "extrema", odd_only=True)
 
 
 def require_same(own, curves):
     """Both have the same r' and r(0)."""
-    others = [curve[:2] for curve in curves]
-    require([(list(h), list(s)) for h, s in own] == [(list(h), list(s)) for h, s in others],
+    others = [curve[:3] for curve in curves]
+    require([(list(h), d, list(s)) for h, d, s in own] == [(list(h), d, list(s)) for h, d, s in others],
             "that one has sha256 %s" % hash_of(others))
 
 
@@ -1144,7 +1262,7 @@ class PathProof(Statements):
     def is_of(self, curves):
         """Behind a joint, where the frame goes on, it does not matter which way a preimage is turned over."""
         require_same(self.curves(), curves)
-        found = [part.has_rate(A) if A else 1 for part, (_, _, A) in zip(self.parts, curves)]
+        found = [part.has_rate(A) if A else 1 for part, (*_, A) in zip(self.parts, curves)]
         require(all(found) and found[0] > 0, "its preimage, and so its Euler-Rodrigues frame, is another one")
 
     def run(self):
@@ -1161,6 +1279,7 @@ class PathProof(Statements):
 
     def joint(self, before, after):
         """r goes on, and the preimages without their zeros are there the same but for a real factor."""
+        require(before.W(1), "the weight of the segment before is 0 at its end")
         end, _ = before.place(Fraction(1))
         require(end == list(after.start), "the segment does not begin where the one before ends")
         x, y = ([a.over(part.K0)(t) for a in part.C.A] for part, t in ((before, 1), (after, 0)))
@@ -1201,6 +1320,13 @@ class PathProof(Statements):
     def place(self, t):
         k, t = self.at(t)
         return self.parts[k].place(Fraction(t))
+
+    def is_on(self, t):
+        return 0 <= t <= len(self.parts)
+
+    def rest_on_weights(self):
+        for part in self.parts:
+            part.rest_on_weights()
 
     def is_zero(self, t):
         return t <= next((k for k, part in enumerate(self.parts) if part.N), len(self.parts))
@@ -1281,7 +1407,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1 with a preimage or control points, or a spline/1")
+                        help="the curve it must be of: a curve/1 with a preimage, control points or a position, or a spline/1")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

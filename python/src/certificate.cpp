@@ -48,7 +48,7 @@ nb::object certified_path(const CertificateObject& self) {
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
                                const Text<"frame">& frame) {
-    const PhPath ph = ph_of(self, "certify").path;
+    const PhPath ph = with_preimages_of(self, "certify").path;
     const auto ts = at.is_none() ? std::vector{ph.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     const Reference reference = chosen<Reference>(
@@ -66,7 +66,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
                    "frame: str = 'erf') -> Certificate"),
            "Angles, by default the one at the end, with what proves them, and of one PH curve what "
            "kinds it is of. Of a spline of PH curves without corners the angles are to the "
-           "Euler-Rodrigues frame.");
+           "Euler-Rodrigues frame. Curves may be polynomial or rational.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {

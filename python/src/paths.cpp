@@ -1,5 +1,6 @@
 #include "answers.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace phrame::inline v0::python {
@@ -59,6 +60,14 @@ std::string why_not_ph(const Path& path) {
 const NamedPhPath& ph_of(const PathObject& path, const char* asked) {
   if (!path.ph) refuse_part(asked + (": " + why_not_ph(path.named.path)));
   return *path.ph;
+}
+
+NamedPhPath with_preimages_of(const PathObject& path, const char* asked) {
+  if (auto found = with_preimages(path.named)) return *std::move(found);
+  const auto& segments = path.named.path.segments();
+  const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
+  refuse_part(std::string(asked) + ": segments[" + std::to_string(other - segments.begin()) +
+              "] is no Pythagorean-hodograph curve");
 }
 
 const Curve& curve_of(const PathObject& path, const char* asked) {

@@ -24,9 +24,11 @@ const PathObject& path_argument(nb::handle x, std::string_view place);
 
 /// "segments[1] is no Pythagorean-hodograph curve".
 std::string why_not_ph(const Path& path);
-/// @{ The path of PH curves, the one PH curve that it is. Throws DomainError, which names what was
-/// asked for, and the segment that is none.
+/// @{ The path of polynomial PH curves, that of PH curves with rational ones among them, the one
+/// polynomial PH curve that it is. Throws DomainError, which names what was asked for, and the
+/// segment that is none.
 const NamedPhPath& ph_of(const PathObject& path, const char* asked);
+NamedPhPath with_preimages_of(const PathObject& path, const char* asked);
 const Curve& curve_of(const PathObject& path, const char* asked);
 /// @}
 

@@ -116,6 +116,19 @@ def test_certificates():
     assert not phrame.Certificate.from_json(text).is_proved()
 
 
+def test_certificates_of_rational_curves():
+    arc = phrame.Path.bezier([(1, 0, 0), (1, 1, 0), (0, 1, 0)], [1, 1, 2])
+    certificate = arc.certify(at=[1], digits=30)
+    assert certificate.is_proved() and certificate.claims == ((1, 0, 0),)
+    assert json.loads(certificate.json())["position"]["w"] == ["1", "0", "1"]
+    again = phrame.Certificate.from_json(certificate.json())
+    assert again == certificate and again.curve == arc
+    with pytest.raises(phrame.DomainError, match="^t = 2 is outside"):
+        arc.certify(at=[2])
+    half = phrame.Path.bezier([(0, 1, 0), (-1, 1, 0), (-1, 0, 0)], [1, 1, 2])
+    assert phrame.Path([arc, half]).certify().is_proved()
+
+
 def test_certificates_of_splines():
     spline = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "spline")
     certificate = spline.certify(digits=30)

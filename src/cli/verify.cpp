@@ -55,7 +55,7 @@ Statement check_curves(const std::vector<Curve>& own, Reference reference, const
   CurveOptions file;
   file.path = path;
   file.limits = limits;
-  const std::vector<Curve> other = file.read_path().path.segments();
+  const std::vector<Curve> other = file.read_path_with_preimages().path.segments();
   std::string objection;
   if (exact_form_of(other) != exact_form_of(own))
     objection = "that one has sha256 " + sha256(exact_form_of(other));

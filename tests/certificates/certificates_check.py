@@ -214,11 +214,13 @@ def subjects():
     line = {"u": [1, 2], "v": [0], "p": [0], "q": [0]}
     rational = {"u": [0, 0, 1], "v": [0, 1], "p": [0, 1], "q": [1]}  # theta = -2t/(1 + t^2)
     rrmf = {"u": [1, 0, -6], "v": [0, 4, 3], "p": [0, -2, -12], "q": [0, 6, -4]}  # w is of degree 2
+    twisted = {"u": [1], "v": [0, 1], "p": [0], "q": [0, 0, 1]}
+    over = {"numerator": [1], "denominator": [64, 192, 240, 160, 60, 12, 1]}  # (t + 2)^6: r is rational
     inflected = {"u": [1], "v": [0], "p": [0, 1], "q": [0, 0, 1, -1]}
     return [("quintic", quintic, [1], "erf"), ("quintic", quintic, [1], "frenet"),
             ("cusp", quintic, [-1, 2, 1], "frenet"), ("helix", helix, [1], "frenet"),
             ("plane", plane, [1], "frenet"), ("line", line, [1], "erf"),
-            ("rational", rational, [1], "erf"), ("rrmf", rrmf, [1], "erf"),
+            ("rational", rational, [1], "erf"), ("rational curve", twisted, over, "erf"), ("rrmf", rrmf, [1], "erf"),
             ("inflected", inflected, [3], "frenet")]
 
 

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 from contextlib import redirect_stderr, redirect_stdout
+from fractions import Fraction
 from itertools import chain, islice
 from pathlib import Path
 
@@ -33,6 +34,11 @@ CURVES = [  # preimage, multiplier, frame
     ({"u": ["1", "2"], "v": ["0"], "p": ["0"], "q": ["0"]}, ["1/3", "1"], "erf"),
     ({"u": ["0", "0", "1"], "v": ["0", "1"], "p": ["0", "1"], "q": ["1"]}, ["1"], "erf"),
     ({"u": ["1", "0", "-6"], "v": ["0", "4", "3"], "p": ["0", "-2", "-12"], "q": ["0", "6", "-4"]}, ["1"], "erf")]
+TWISTED = {"u": ["1"], "v": ["0", "1"], "p": ["0"], "q": ["0", "0", "1"]}, {"numerator": ["1"], "denominator": ["64", "192", "240", "160", "60", "12", "1"]}
+RATIONAL = [  # an arc of a circle, and a line by 1 + t^2 over 1 + t^2
+    (*TWISTED, "erf"), (*TWISTED, "frenet"),
+    ({"u": ["1", "-1"], "v": ["0"], "p": ["0"], "q": ["1", "1"]}, {"numerator": ["1"], "denominator": ["1", "0", "2", "0", "1"]}, "frenet"),
+    ({"u": ["1"], "v": ["0", "1"], "p": ["0"], "q": ["0"]}, {"numerator": ["1"], "denominator": ["1", "0", "1"]}, "erf")]
 TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
          "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "9" * 7000, "1/" + "7" * 200]
 VALUES = [None, True, False, 0, 1, -1, 2, 1000000, 1000001, 10 ** 30, 0.5, 1e5, [], {}, [[]], ["1"], ["0"], ["1", "1"], ["0", "0", "1"],
@@ -42,15 +48,15 @@ BYTES = [b"\xff", b"\x00", b"\xef\xbb\xbf", b"\\ud800", b"\\u0031", b" ", b"\n",
 
 def honest():
     """Certificates of many kinds of curves."""
-    for preimage, multiplier, frame in CURVES:
+    for preimage, multiplier, frame in CURVES + RATIONAL:
         curve = {"phrame": "curve/1", "name": "c", "basis": "power", "preimage": preimage, "multiplier": multiplier}
         for at, digits in (("1/3,1", "12"), ("1", "40")):
             run = subprocess.run([PROGRAM, "certify", "-", "--at", at, "--digits", digits, "--frame", frame],
                                  input=json.dumps(curve), capture_output=True, text=True, check=True)
             yield json.loads(run.stdout)
-    run = subprocess.run([PROGRAM, "certify", ROOT / "examples/curves/closed-spline.json", "--at", "1/3,5/2,4", "--digits", "12"],
-                         capture_output=True, text=True, check=True)
-    yield {**json.loads(run.stdout), "name": "p"}
+    for path, at in (("examples/curves/closed-spline.json", "1/3,5/2,4"), ("tests/data/rational-path.json", "1/3,5/2,3")):
+        run = subprocess.run([PROGRAM, "certify", ROOT / path, "--at", at, "--digits", "12"], capture_output=True, text=True, check=True)
+        yield {**json.loads(run.stdout), "name": "p"}
 
 
 def places(value, path=()):
@@ -115,8 +121,26 @@ def change(certificate, chance):
     return put(certificate, path, copy.deepcopy(chance.choice(VALUES)))
 
 
+def product(a, b):
+    c = [Fraction(0)] * (len(a) + len(b) - 1) if a and b else []
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            c[i + j] += Fraction(x) * Fraction(y)
+    return [str(x) for x in c]
+
+
+def with_factor(certificate, a):
+    """The same curve with the weight a W: the positions times a, the hodograph times a^2."""
+    for part in certificate.get("segments", [certificate]):
+        if "position" in part:
+            part["position"] = {key: product(x, a) for key, x in part["position"].items()}
+            part["hodograph"] = [product(product(x, a), a) for x in part["hodograph"]]
+
+
 def candidate(originals, chance):
     certificate = copy.deepcopy(chance.choice(originals))
+    if chance.random() < 0.2:  # 2t - 1 is 0 on the way
+        with_factor(certificate, chance.choice([["1", "1"], ["-1", "2"], ["3"], ["-2", "1/3"], ["1", "0", "1"], ["1", "-1"]]))
     for _ in range(chance.choice([1, 1, 1, 2, 3])):
         change(certificate, chance)
     data = json.dumps(certificate, ensure_ascii=False).encode("utf-8")
@@ -128,16 +152,24 @@ def candidate(originals, chance):
     return data
 
 
-def with_each_text(original):
+PLACES = [("position",), ("position", "w"), ("position", "w", 0), ("position", "x"), ("position", "z", 0), ("curve", "multiplier"),
+          ("curve", "multiplier", "numerator"), ("curve", "multiplier", "denominator"), ("curve", "multiplier", "denominator", 0)]
+
+
+def with_each_text(original, paths):
     """Every text and value at a place of each kind."""
-    logs = ("antiderivative", "logs", 0)
-    for path in (("sigma", 0), ("curve", "preimage", "u", 0), ("curve", "phrame"), ("curve", "name"), ("claims", 0, "t"), ("claims", 0, "theta"),
-                 ("claims", 0, "radius"), ("rate", "coprime_modulo"), ("bits",), (*logs, "index"), (*logs, "roots", 0, "radius"),
-                 (*logs, "roots", 0, "center", 0), ("decisions", "line", "answer"), ("decisions", "regular", "cusps")):
+    for path in paths:
         for value in VALUES:
             certificate = copy.deepcopy(original)
             put(certificate, path, value)
             yield json.dumps(certificate, ensure_ascii=False).encode("utf-8")
+
+
+def with_each_text_of_polynomial(original):
+    logs = ("antiderivative", "logs", 0)
+    yield from with_each_text(original, (("sigma", 0), ("curve", "preimage", "u", 0), ("curve", "phrame"), ("curve", "name"), ("claims", 0, "t"), ("claims", 0, "theta"),
+                 ("claims", 0, "radius"), ("rate", "coprime_modulo"), ("bits",), (*logs, "index"), (*logs, "roots", 0, "radius"),
+                 (*logs, "roots", 0, "center", 0), ("decisions", "line", "answer"), ("decisions", "regular", "cusps")))
 
 
 def by_script(paths):
@@ -169,7 +201,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     effort = int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1))
     parser.add_argument("--number", type=int, default=80 * effort)
-    parser.add_argument("--every", type=int, default=1 if effort > 1 else 7, help="of the texts that are tried at each place")
+    parser.add_argument("--every", type=int, default=1 if effort > 1 else 13, help="of the texts that are tried at each place")
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--keep", metavar="DIR", help="where files about which they differ are put")
     options = parser.parse_args()
@@ -179,7 +211,8 @@ def main():
     # Each with a seed of its own, so that one can be tried again.
     changed = (candidate(originals, random.Random(options.seed * 10 ** 9 + k)) for k in range(options.number))
     with tempfile.TemporaryDirectory() as folder:
-        for number, data in enumerate(chain(changed, islice(with_each_text(originals[0]), 0, None, options.every))):
+        texts = chain(with_each_text_of_polynomial(originals[0]), with_each_text(originals[2 * len(CURVES)], PLACES))
+        for number, data in enumerate(chain(changed, islice(texts, 0, None, options.every))):
             path = Path(options.keep or folder) / ("%d.cert" % number)
             path.write_bytes(data)
             (mine, told), (other, said) = by_script([path])[0], by_program([path])[0]

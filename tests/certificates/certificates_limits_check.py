@@ -56,11 +56,12 @@ def mignotte(n, size):
     return c
 
 
-BASE = json.loads(certified(curve([some(3) for _ in range(4)]), "--at", "1/2,1", "--digits", "20", "--frame", "frenet"))
+BASE, BASE_ERF = (json.loads(certified(curve([some(3) for _ in range(4)]), "--at", "1/2,1", "--digits", "20", "--frame", frame))
+                  for frame in ("frenet", "erf"))
 
 
-def changed(change):
-    c = copy.deepcopy(BASE)
+def changed(change, base=BASE):
+    c = copy.deepcopy(base)
     change(c)
     return json.dumps(c)
 
@@ -132,14 +133,44 @@ def bad():
         "close zeros of degree 4": curve(one, mignotte(4, int(far))), "close zeros of degree 40": curve(one, mignotte(40, 10 ** 100))}
     yield from ((name, changed(change)) for name, change in changes.items())
     yield from (("curve: " + name, changed(set_at(["curve"], c))) for name, c in curves.items())
+    yield from rational()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
         "a common factor": curve([product(some(4), [3, 1, 2, 5])] * 2 + [product(some(4), [3, 1, 2, 5])] * 2),
-        "degree 41": curve([some(21) for _ in range(4)]), "degree 25, 15 digits": curve([some(13, 10 ** 15) for _ in range(4)])}
+        "degree 41": curve([some(21) for _ in range(4)]), "degree 25, 15 digits": curve([some(13, 10 ** 15) for _ in range(4)]),
+        "rational, degree 13": over(some_list(7), 14), "rational, degree 25": over(some_list(13), 26)}
     for name, c in honest.items():
         for frame in ("erf", "frenet"):
             yield "%s, %s" % (name, frame), certified(c, "--frame", frame, "--at", "1/3,1")
+
+
+def some_list(n):
+    return [some(n) for _ in range(4)]
+
+
+def over(preimage, k):
+    """A i A*/(t + 1)^k, which is the derivative of a rational curve where k is more than its degree and 1."""
+    return {**curve(preimage), "multiplier": {"numerator": ["1"], "denominator": texts(comb(k, j) for j in range(k + 1))}}
+
+
+def rational():
+    """r = tW/W, so that every W is a weight; and what is no derivative."""
+    weights = {"close zeros of degree 4": mignotte(4, 10 ** 2000), "close zeros of degree 12": mignotte(12, 10 ** 100),
+               "close zeros of degree 30": mignotte(30, 10 ** 30), "dense": [1] * 900, "degree 100": some(101), "degree 30, long": some(31, 10 ** 300),
+               "long": [1, 3 ** 20000], "zeros on the way": product(product([-1, 2], [-1, 3]), [-2, 5])}
+    for name, w in weights.items():
+        def of_weight(c):
+            c["curve"] = {**curve([[1], [0], [0], [0]]), "multiplier": {"numerator": ["1"], "denominator": ["1"]}}
+            c["position"] = {"x": texts([0, *w]), "y": [], "z": [], "w": texts(w)}
+        yield "weight: " + name, changed(of_weight, BASE_ERF)
+
+    def no_quotient(c):
+        c["curve"]["multiplier"] = {"numerator": texts(some(60, 10 ** 40)), "denominator": texts(some(100, 10 ** 40))}
+        c["position"] = {key: texts(some(50, 10 ** 40)) for key in "xyzw"}
+    yield "weight: no quotient", changed(no_quotient, BASE_ERF)
+    for size in (10 ** 900, 10 ** 2000):
+        yield "multiplier: close zeros of degree 4", changed(lambda c: c.update(curve=curve([[1], [0], [0], [0]], mignotte(4, size))), BASE_ERF)
 
 
 # Every day of every third one.

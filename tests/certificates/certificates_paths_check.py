@@ -5,12 +5,14 @@ import copy
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
 from argparse import Namespace
 from contextlib import redirect_stderr, redirect_stdout
 from fractions import Fraction
+from itertools import zip_longest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -44,7 +46,7 @@ def both(path, curve=None, table=None):
 
 def statements(lines):
     """Without the reasons, which each has in its own words."""
-    return [line.rsplit(": ", 1)[0] if line.startswith("not proved") else line for line in lines]
+    return [re.sub(r"^(not proved  (?:segment \d+: )?(?:decision \w+: \w+|[^:]*)): .*", r"\1", line) for line in lines]
 
 
 def expect(status, what, *arguments, line=None, **more):
@@ -112,13 +114,64 @@ def forgeries(honest):
     yield "a certificate as a segment of itself", 2, None, changed(lambda c: c["segments"].append(copy.deepcopy(honest)))
 
 
+def product(a, b):
+    c = [Fraction(0)] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            c[i + j] += Fraction(x) * Fraction(y)
+    return [str(x) for x in c]
+
+
+def forgeries_of_weights(honest):
+    """Of a path of which the first and the last segment are rational, as above, and which statement of a table is not proved."""
+    def changed(do, k=0):
+        lie = copy.deepcopy(honest)
+        do(lie["segments"][k])
+        return lie
+
+    def with_factor(c, a):
+        c.update(position={key: product(x, a) for key, x in c["position"].items()}, hodograph=[product(product(x, a), a) for x in c["hodograph"]])
+
+    def moved(c):
+        c["curve"]["start"][2] = str(Fraction(c["curve"]["start"][2]) + 1)
+        z, w = c["position"]["z"], c["position"]["w"]
+        c["position"]["z"] = [str(Fraction(x) + Fraction(y)) for x, y in zip_longest(z, w, fillvalue=0)]
+
+    def shown_as_rational(c):
+        c["position"] = copy.deepcopy(honest["segments"][0]["position"])
+
+    def set_to(key, value):
+        return lambda c: c["position"].update({key: value})
+    yield "the weight and the positions with a factor", 0, None, changed(lambda c: with_factor(c, ["1", "1"]))
+    yield "a zero on the way", 1, "segment 0: weight", changed(lambda c: with_factor(c, ["-1", "2"]))
+    yield "two equal zeros on the way", 1, "segment 2: weight", changed(lambda c: with_factor(c, ["1", "-4", "4"]), 2)
+    yield "a zero at the end", 1, "joint 1: the weight", changed(lambda c: with_factor(c, ["1", "-1"]))
+    yield "a zero at the start", 2, None, changed(lambda c: with_factor(c, ["0", "1"]))
+    yield "the weight alone with a factor", 2, None, changed(lambda c: c["position"].update(w=product(c["position"]["w"], ["1", "1"])))
+    yield "another weight", 2, None, changed(lambda c: c["position"]["w"].__setitem__(1, "81"))
+    yield "another position", 2, None, changed(lambda c: c["position"]["x"].__setitem__(1, "81"))
+    yield "no positions", 2, None, changed(lambda c: c.pop("position"))
+    yield "no weight", 2, None, changed(lambda c: c["position"].pop("w"))
+    yield "a constant weight", 2, None, changed(set_to("w", ["32"]))
+    yield "moved", 1, "joint 2: the segment does not begin", changed(moved, 2)
+    yield "another start", 2, None, changed(lambda c: c["curve"].update(start=["0", "0", "1"]))
+    yield "another multiplier", 2, None, changed(lambda c: c["curve"]["multiplier"].update(numerator=["2"]))
+    yield "another denominator", 2, None, changed(lambda c: c["curve"]["multiplier"]["denominator"].__setitem__(0, "65"))
+    yield "a multiplier that is none", 2, None, changed(lambda c: c["curve"].update(multiplier=["1"]))
+    yield "no pole", 2, None, changed(lambda c: c["curve"]["multiplier"].update(denominator=["1"]))
+    yield "another hodograph", 1, "segment 0: invariants", changed(lambda c: c["hodograph"].reverse())
+    yield "the positions of another segment", 2, None, changed(shown_as_rational, 2)
+    yield "positions of a polynomial curve", 2, None, changed(shown_as_rational, 1)
+
+
 def main():
     tried = 0
     with tempfile.TemporaryDirectory() as folder:
         points, certificate, table, lie, curve = (Path(folder) / name for name in ("points.csv", "path.cert", "frames.csv", "lie.cert", "path.json"))
         points.write_text("0,0,0\n1,2,0\n3,2,1\n4,0,3\n")
         phrame("construct", points, "-o", curve)
-        for path, at in ((curve, AT), (ROOT / "examples/curves/closed-spline.json", "0,1,7/3,3,4")):
+        rational = ROOT / "tests/data/rational-path.json"
+        for path, at in ((curve, AT), (ROOT / "examples/curves/closed-spline.json", "0,1,7/3,3,4"), (rational, AT)):
             phrame("certify", path, "--at", at, "--digits", "30", "-o", certificate)
             expect(0, path.name, certificate)
             honest = json.loads(certificate.read_text())
@@ -131,6 +184,16 @@ def main():
             cells[k] = repr(float(cells[k]) * (1 + 2 ** -51))
             table.write_text("\n".join([head, *rows[:3], ",".join(cells), *rows[4:]]) + "\n")
             expect(1, "another table", certificate, table=table, line="table")
+        # Of the rational one, the last.
+        table.write_text("\n".join([head, *rows]) + "\n")
+        expect(0, "its curve", certificate, curve=rational, table=table)
+        expect(1, "another curve", certificate, curve=curve, line="curve of")
+        for what, status, line, forged in forgeries_of_weights(honest):
+            lie.write_text(json.dumps(forged))
+            expect(status, what, lie, line=line, curve=rational if status == 0 else None)
+            if line and "weight" in line:
+                expect(1, what, lie, line="table", table=table)
+            tried += 1
         phrame("certify", curve, "--at", AT, "--digits", "30", "-o", certificate)
         expect(0, "its curve", certificate, curve=curve)
         expect(1, "another curve", certificate, curve=ROOT / "examples/curves/bezier-quintic.json", line="curve of")

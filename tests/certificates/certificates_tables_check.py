@@ -1,6 +1,7 @@
 """Tables of frames under a certificate (--table): those of the program are proved by both checkers; where one number of a table is the
 next double, or a row is another, neither proves it, and both say the same.
 """
+import json
 import os
 import struct
 import subprocess
@@ -73,6 +74,17 @@ def main():
             said = verdicts(certificate, table, text)
             if said[0] != said[1] or (name == "tame-01") and said[0] is None:
                 sys.exit("%s, 12 digits: %s" % (name, said))
+        # The rational arc is not known beyond its ends; the angle, which is 0, is.
+        curve.write_text(json.dumps({"phrame": "curve/1", "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2]}))
+        phrame("certify", curve, "--at", "0,1", "-o", certificate)
+        text = phrame("frames", curve, "--at", "0,1")
+        if verdicts(certificate, table, text) != (None, None):
+            sys.exit("an arc: %s" % (verdicts(certificate, table, text),))
+        beyond = json.loads(certificate.read_text())
+        beyond["claims"][1]["t"] = "2"
+        certificate.write_text(json.dumps(beyond))
+        if verdicts(certificate, table, text) != ("a t is not on the path",) * 2:
+            sys.exit("an arc beyond its end: %s" % (verdicts(certificate, table, text),))
     print("%d forged tables" % tried)
 
 

@@ -79,6 +79,23 @@ TEST_CASE("verify: with --curve it must be of that curve, whatever it is called"
   check_failure(here.run("verify angle.cert --curve nowhere.json"), 2, "nowhere.json");
 }
 
+TEST_CASE("certify and verify: an arc in space and the exact offset of a PH curve") {
+  const Workshop here;
+  here.write("arc.json", R"({"control_points": [[1, 0, 0], [1, "3/5", "4/5"], [0, "3/5", "4/5"]],
+      "phrame": "curve/1", "weights": [1, 1, 2]})");
+  CHECK(here.run("certify arc.json --at 0,1/2,1 --digits 40 -o arc.cert").status == 0);
+  const Run arc = here.run("verify arc.cert --curve arc.json");
+  check_success(arc);
+  CHECK(contains(arc.out, "\nproved      weight\n"));
+  here.write("plane.json",
+             R"({"phrame": "curve/1", "basis": "power", "complex": [[1, 0], [1, 3]]})");
+  CHECK(here.run("offset plane.json --distance 1/9 --print curve -o offset.json").status == 0);
+  CHECK(here.run("certify offset.json -o offset.cert").status == 0);
+  CHECK(here.run("frames offset.json --at 1 -o frames.csv").status == 0);
+  check_success(here.run("verify offset.cert --curve offset.json --table frames.csv"));
+  check_failure(here.run("certify arc.json --at 2"), 3, "t = 2 is outside [0, 1]");
+}
+
 TEST_CASE("certify and verify: bad input is refused with its place") {
   const Workshop here;
   check_failure(here.run("certify line.json --frame frenet"), 3, "straight line");

@@ -70,8 +70,6 @@ TEST_CASE("rational PH: a multiplier is n/d, or one line says where there is a l
   check_failure(here.run("info pole.json"), 2, "the multiplier has a pole at t = 1/2");
   here.write("null.json", with_multiplier(R"({"numerator": [1], "denominator": [0]})"));
   check_failure(here.run("info null.json"), 2, "the denominator is zero");
-  check_failure(here.run("certify good.json"), 2, "a rational one");
-  check_failure(here.run("identify good.json"), 2, "good.json:/: the curve is rational");
 }
 
 TEST_CASE("rational PH: a plane curve by its tangents") {

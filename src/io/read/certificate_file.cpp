@@ -118,13 +118,52 @@ long written_bits(const Polynomial& p) {
   return bits;
 }
 
+/// The curve of a certificate as it is written.
+struct WrittenCurve {
+  QuaternionPolynomial preimage;
+  Polynomial numerator{1};  ///< n, of the multiplier n/d
+  Vector<Rational> start{};
+  /// Of a rational curve, r = X/W.
+  struct Position {
+    Polynomial denominator;  ///< d
+    Vector<Polynomial> x;    ///< X
+    Polynomial weight;       ///< W
+  };
+  std::optional<Position> position = {};
+
+  /// deg f, if f is a polynomial.
+  long multiplier_degree() const {
+    if (!position) return numerator.degree();
+    return std::max(
+        0L, numerator.degree() + 2 * position->weight.degree() - position->denominator.degree());
+  }
+};
+
+/// Precondition: the work of it is within the limits.
+Curve curve_of(WrittenCurve written, const JsonNode& certificate) {
+  auto& [preimage, n, start, position] = written;
+  if (!position) return Curve(std::move(preimage), std::move(n), std::move(start));
+  auto& [d, x, w] = *position;
+  const auto [f, rest] = divide(n * w * w, d);
+  if (!rest.is_zero()) certificate.at("position").fail("the multiplier times w^2 is no polynomial");
+  std::optional<Curve> curve;
+  try {
+    curve = Curve::quotient(std::move(preimage), f, std::move(x), std::move(w));
+  } catch (const DomainError& error) {
+    certificate.at("position").fail(error.what());
+  }
+  if (curve->start() != start) certificate.at("position").fail("it does not begin at the start");
+  return *std::move(curve);
+}
+
 /// Reads what follows the curve, and adds up the work of checking it, in units of
 /// docs/certificate.md.
 class CertificateReader {
  public:
-  /// The lists of coefficients of the curve say how long the other ones may be.
-  CertificateReader(const JsonNode& curve, const CurveLimits& limits)
+  /// The degrees of the curve say how long the other lists may be.
+  CertificateReader(const JsonNode& certificate, const CurveLimits& limits)
       : most_(limits.max_degree + 1) {
+    const JsonNode curve = certificate.at("curve");
     curve.require_known_keys(
         {"phrame", "name", "note", "basis", "start", "preimage", "multiplier"});
     if (const JsonNode format = curve.at("phrame"); format.string() != "curve/1")
@@ -134,8 +173,7 @@ class CertificateReader {
     if (const auto name = curve.find("name")) name_ = name->string();
     if (const JsonNode basis = curve.at("basis"); basis.string() != "power")
       basis.fail(fmt::format("the basis is \"power\", not \"{}\"", abbreviated(basis.string())));
-    Vector<Rational> start{};
-    if (const auto point = curve.find("start")) start = vector(*point);
+    if (const auto point = curve.find("start")) curve_.start = vector(*point);
     std::size_t m = 0;
     const JsonNode preimage = curve.at("preimage");
     preimage.require_known_keys({"u", "v", "p", "q"});
@@ -146,22 +184,30 @@ class CertificateReader {
       bits_ = std::max(bits_, written_bits(p));
       return p;
     };
-    QuaternionPolynomial a{part(preimage.at("u"), m), part(preimage.at("v"), m),
-                           part(preimage.at("p"), m), part(preimage.at("q"), m)};
-    if (is_zero(a)) preimage.fail("the preimage is zero, so the curve is a single point");
+    curve_.preimage = {part(preimage.at("u"), m), part(preimage.at("v"), m),
+                       part(preimage.at("p"), m), part(preimage.at("q"), m)};
+    if (is_zero(curve_.preimage))
+      preimage.fail("the preimage is zero, so the curve is a single point");
     std::size_t f = 0;
-    Polynomial multiplier{1};
-    if (const auto list = curve.find("multiplier")) multiplier = part(*list, f);
-    if (multiplier.is_zero()) curve.fail("the multiplier is zero, so the curve is a single point");
-    curve_ = Curve(std::move(a), std::move(multiplier), std::move(start));
-    if (degree(*curve_) > limits.max_degree)
+    long degree = 0;
+    const auto multiplier = curve.find("multiplier");
+    if (multiplier && multiplier->is(Kind::object)) {
+      degree = rational_multiplier(*multiplier, certificate.at("position"));
+      f = static_cast<std::size_t>(curve_.multiplier_degree() + curve_.position->weight.degree());
+    } else {
+      if (multiplier) curve_.numerator = part(*multiplier, f);
+      degree = 2 * phrame::degree(curve_.preimage) + 1 + curve_.numerator.degree();
+    }
+    if (curve_.numerator.is_zero())
+      curve.fail("the multiplier is zero, so the curve is a single point");
+    if (degree > limits.max_degree)
       curve.fail(fmt::format("the curve has degree {}, the limit is {}; --max-degree raises it",
-                             degree(*curve_), limits.max_degree));
+                             degree, limits.max_degree));
     longest_ = static_cast<long>(4 * m + 2 * f + 2);
     most_ = longest_ + 1;
   }
 
-  const Curve& curve() const { return *curve_; }
+  const WrittenCurve& curve() const { return curve_; }
   const std::string& name() const { return name_; }
 
   Integer integer(const JsonNode& node) {
@@ -270,12 +316,38 @@ class CertificateReader {
   Integer work(bool is_frenet) const {
     const Integer d = longest_;
     const Integer a = bits_;
-    return work_ + 50 * d * d * d * Integer(1 + bits_ / 64) +
+    return work_ + 50 * d * d * d * Integer(1 + bits_ / 64) + d * d * a * a / 2 +
            volume_ * volume_ * Integer(sums_ + 1) / 63000 +
            (is_frenet ? Integer(d * d * d * d * a * a / 6000) : Integer(0));
   }
 
  private:
+  /// n/d and X/W; the degree of the curve.
+  long rational_multiplier(const JsonNode& multiplier, const JsonNode& position) {
+    multiplier.require_known_keys({"numerator", "denominator"});
+    position.require_known_keys({"x", "y", "z", "w"});
+    long degree = 0;
+    const auto measured = [&](Polynomial p) {
+      bits_ = std::max(bits_, written_bits(p));
+      return p;
+    };
+    const auto part = [&](const JsonNode& list) {
+      Polynomial p = measured(polynomial(list));
+      degree = std::max(degree, p.degree());
+      return p;
+    };
+    curve_.numerator = measured(polynomial(multiplier.at("numerator")));
+    Polynomial denominator = measured(nonzero(multiplier.at("denominator")));
+    const Vector<Polynomial> x{part(position.at("x")), part(position.at("y")),
+                               part(position.at("z"))};
+    const JsonNode w = position.at("w");
+    Polynomial weight = part(w);
+    if (weight.is_constant() || weight(0) == 0)
+      w.fail("the weight is to be no constant, and not 0 at t = 0");
+    curve_.position = {std::move(denominator), x, std::move(weight)};
+    return degree;
+  }
+
   GaussianInteger grid_point(const JsonNode& node) {
     const auto parts = read_list(node, [this](const JsonNode& part) { return integer(part); });
     if (parts.size() != 2) node.fail(fmt::format("2 numbers are wanted, not {}", parts.size()));
@@ -307,7 +379,7 @@ class CertificateReader {
   }
 
   std::string name_;
-  std::optional<Curve> curve_;
+  WrittenCurve curve_;
   long most_;         ///< coefficients that a list may have
   long longest_ = 0;  ///< D of docs/certificate.md
   long bits_ = 1;     ///< of the curve
@@ -365,9 +437,30 @@ Reference read_frame(const JsonNode& node) {
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
-/// Adds to `work` what it takes to check it.
-NamedCertificate read_of_curve(const JsonNode& node, const CertificateLimits& limits,
-                               Integer& work) {
+/// What may be checked, in units of docs/certificate.md.
+class WorkLimit {
+ public:
+  WorkLimit(std::size_t bytes, bool is_limited) : is_limited_(is_limited) {
+    const Integer size = static_cast<long>(std::max(bytes, full_size));
+    const Integer full = static_cast<long>(full_size);
+    most_ = Integer(most_work) * size * size / (full * full);
+  }
+
+  /// Of a part of the file.
+  void add(const JsonNode& part, const Integer& work) {
+    work_ += work;
+    if (is_limited_ && work_ > most_)
+      part.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
+                            work_.str(), most_.str()));
+  }
+
+ private:
+  bool is_limited_;
+  Integer most_;
+  Integer work_ = 0;
+};
+
+NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, WorkLimit& limit) {
   if (const JsonNode format = node.at("phrame"); format.string() != "certificate/1")
     format.fail(
         fmt::format("the format is \"certificate/1\", not \"{}\"", abbreviated(format.string())));
@@ -377,9 +470,9 @@ NamedCertificate read_of_curve(const JsonNode& node, const CertificateLimits& li
                                      "h",      "g",        "rate",  "bits",      "antiderivative",
                                      "claims", "decisions"};
   if (is_frenet) keys.emplace_back("bend");
+  CertificateReader read(node, limits);
+  if (read.curve().position) keys.emplace_back("position");
   node.require_known_keys(keys);
-  const JsonNode curve = node.at("curve");
-  CertificateReader read(curve, limits.curve);
   const JsonNode rate = node.at("rate");
   rate.require_known_keys({"numerator", "denominator", "common", "coprime_modulo"});
   const JsonNode antiderivative = node.at("antiderivative");
@@ -392,7 +485,7 @@ NamedCertificate read_of_curve(const JsonNode& node, const CertificateLimits& li
     node.at("hodograph").fail(fmt::format("3 polynomials are wanted, not {}", hodograph.size()));
   const long bits = read_count(node.at("bits"), 0, most_count);
   // In a list the order of evaluation is that of its items: the logs before the claims.
-  Certificate c{read.curve(),
+  Certificate c{Curve({{1}, {}, {}, {}}),  // until it is known what it takes
                 reference,
                 {hodograph[0], hodograph[1], hodograph[2]},
                 polynomial(node.at("sigma")),
@@ -413,12 +506,13 @@ NamedCertificate read_of_curve(const JsonNode& node, const CertificateLimits& li
     bend.require_known_keys({"polynomial", "content"});
     c.bend = {read.gaussian(bend.at("polynomial")), polynomial(bend.at("content"))};
   }
-  work += read.work(is_frenet);
+  limit.add(node, read.work(is_frenet));
+  c.curve = curve_of(read.curve(), node);
   return {read.name(), std::move(c)};
 }
 
-/// A claim about a path; the sum of it takes its part of `work`.
-AngleClaim read_path_claim(const JsonNode& node, Integer& work) {
+/// A claim about a path; the sum of it takes its part of the work.
+AngleClaim read_path_claim(const JsonNode& node, WorkLimit& limit) {
   node.require_known_keys({"t", "theta", "radius"});
   AngleClaim claim = read_claim(node);
   const JsonNode t = node.at("t");
@@ -427,12 +521,12 @@ AngleClaim read_path_claim(const JsonNode& node, Integer& work) {
   claim.t = t.number();
   const Integer bits = bits_of(claim.t) + bits_of(parse_rational(claim.theta)) +
                        bits_of(parse_rational(claim.radius));
-  work += bits * bits / 1000 + 1000;
+  limit.add(node, bits * bits / 1000 + 1000);
   return claim;
 }
 
-NamedPathCertificate read_of_path(const JsonNode& node, const CertificateLimits& limits,
-                                  Integer& work) {
+NamedPathCertificate read_of_path(const JsonNode& node, const CurveLimits& limits,
+                                  WorkLimit& limit) {
   node.require_known_keys({"phrame", "name", "segments", "claims"});
   NamedPathCertificate found;
   if (const auto name = node.find("name")) found.name = name->string();
@@ -442,13 +536,13 @@ NamedPathCertificate read_of_path(const JsonNode& node, const CertificateLimits&
   for (std::size_t k = 0; k < list.size(); ++k) {
     const JsonNode item = list.item(k);
     item.require(Kind::object, "an object");
-    Certificate segment = read_of_curve(item, limits, work).certificate;
+    Certificate segment = read_of_curve(item, limits, limit).certificate;
     if (segment.reference != Reference::euler_rodrigues)
       item.at("frame").fail("the frame of segments is \"erf\"");
     found.certificate.segments.push_back(std::move(segment));
   }
   found.certificate.claims = read_list(
-      node.at("claims"), [&](const JsonNode& item) { return read_path_claim(item, work); });
+      node.at("claims"), [&](const JsonNode& item) { return read_path_claim(item, limit); });
   return found;
 }
 
@@ -459,18 +553,10 @@ std::variant<NamedCertificate, NamedPathCertificate> read_any_certificate(
   const JsonValue document = parse_json_file(text, "certificate");
   const JsonNode node(document);
   node.require(Kind::object, "an object");
-  Integer work = 0;
-  using Found = std::variant<NamedCertificate, NamedPathCertificate>;
-  const bool is_path = node.at("phrame").string() == "path-certificate/1";
-  Found found =
-      is_path ? Found(read_of_path(node, limits, work)) : Found(read_of_curve(node, limits, work));
-  const Integer size = static_cast<long>(std::max(text.size(), full_size));
-  const Integer full = static_cast<long>(full_size);
-  const Integer most = Integer(most_work) * size * size / (full * full);
-  if (limits.is_limited && work > most)
-    node.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
-                          work.str(), most.str()));
-  return found;
+  WorkLimit limit(text.size(), limits.is_limited);
+  if (node.at("phrame").string() == "path-certificate/1")
+    return read_of_path(node, limits.curve, limit);
+  return read_of_curve(node, limits.curve, limit);
 }
 
 NamedCertificate read_certificate(std::string_view text, const CertificateLimits& limits) {

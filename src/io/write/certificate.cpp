@@ -75,22 +75,27 @@ JsonOutput json_of(const Certificate& c, const std::string& name,
             {"residue", json_of(sum.residue)},
             {"roots", json_of(sum.roots)}};
   };
-  JsonOutput json = {
-      {"phrame", "certificate/1"},
-      {"curve", json_of(NamedCurve{name, c.curve, near})},
-      {"frame", name_of(c.reference)},
-      {"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
-                                       json_of(c.hodograph[2])})},
-      {"sigma", json_of(c.sigma)},
-      {"h", json_of(c.h)},
-      {"g", json_of(c.g)},
-      {"rate",
-       {{"numerator", json_of(c.rate.numerator)},
-        {"denominator", json_of(c.rate.denominator)},
-        {"common", json_of(c.rate.common)},
-        {"coprime_modulo", c.rate.modulus.str()}}},
-      {"bits", c.bits},
-      {"antiderivative", {{"rational", json_of(c.rational)}, {"logs", array_of(c.logs, logs)}}}};
+  JsonOutput json = {{"phrame", "certificate/1"},
+                     {"curve", json_of(NamedCurve{name, c.curve, near})},
+                     {"frame", name_of(c.reference)}};
+  if (!c.curve.is_polynomial()) {
+    const auto& [x, y, z] = numerator(c.curve);
+    json["position"] = {
+        {"x", json_of(x)}, {"y", json_of(y)}, {"z", json_of(z)}, {"w", json_of(c.curve.weight())}};
+  }
+  json.update(
+      {{"hodograph", JsonOutput::array({json_of(c.hodograph[0]), json_of(c.hodograph[1]),
+                                        json_of(c.hodograph[2])})},
+       {"sigma", json_of(c.sigma)},
+       {"h", json_of(c.h)},
+       {"g", json_of(c.g)},
+       {"rate",
+        {{"numerator", json_of(c.rate.numerator)},
+         {"denominator", json_of(c.rate.denominator)},
+         {"common", json_of(c.rate.common)},
+         {"coprime_modulo", c.rate.modulus.str()}}},
+       {"bits", c.bits},
+       {"antiderivative", {{"rational", json_of(c.rational)}, {"logs", array_of(c.logs, logs)}}}});
   if (c.bend)
     json["bend"] = {{"polynomial", json_of(c.bend->polynomial)},
                     {"content", json_of(c.bend->content)}};

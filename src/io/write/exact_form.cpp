@@ -4,22 +4,23 @@
 
 #include <array>
 
-#include "phrame/ph/curve/invariants.hpp"
+#include "phrame/ph/curve/hodograph_fraction.hpp"
 
 namespace phrame::inline v0 {
 
 std::string exact_form(const Curve& curve) {
-  const Vector<Polynomial> derivative = hodograph(curve);
-  constexpr std::array names{"dx", "dy", "dz"};
+  const auto& [derivative, over] = hodograph_fraction(curve);
   std::string text;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    text += names[k];
-    for (const Rational& c : derivative[k].coefficients()) text += " " + to_string(c);
+  const auto add = [&text](const char* name, const auto& numbers) {
+    text += name;
+    for (const Rational& x : numbers) text += " " + to_string(x);
     text += "\n";
-  }
-  text += "start";
-  for (const Rational& x : curve.start()) text += " " + to_string(x);
-  return text + "\n";
+  };
+  constexpr std::array names{"dx", "dy", "dz"};
+  for (std::size_t k = 0; k < names.size(); ++k) add(names[k], derivative[k].coefficients());
+  if (!over.is_constant()) add("over", over.coefficients());
+  add("start", curve.start());
+  return text;
 }
 
 }  // namespace phrame

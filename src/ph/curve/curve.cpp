@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/power_series.hpp"
+#include "phrame/ph/curve/hodograph_fraction.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -91,7 +92,9 @@ Vector<Polynomial> position(const Curve& curve) {
   return result;
 }
 
-Polynomial hodograph_content(const Curve& curve) { return gcd(hodograph_numerator(curve)); }
+Polynomial hodograph_content(const Curve& curve) {
+  return gcd(hodograph_fraction(curve).numerator);
+}
 
 // The ends of isolating intervals and the middles between them meet every gap between two roots: an
 // open interval has no root at its ends, and between two roots that are points is their middle.

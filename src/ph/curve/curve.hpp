@@ -62,7 +62,7 @@ PHRAME_API Vector<Polynomial> position(const Curve& curve);
 PHRAME_API Vector<Polynomial> hodograph_numerator(const Curve& curve);
 PHRAME_API Vector<Polynomial> numerator(const Curve& curve);
 /// @}
-/// gcd(x′, y′, z′), of the numerators of a rational one; constant for a primitive hodograph.
+/// gcd(x′, y′, z′), the numerators of r′ in lowest terms; constant for a primitive hodograph.
 PHRAME_API Polynomial hodograph_content(const Curve& curve);
 /// The signs that f takes on the segment [0, 1], its zeros apart; decided exactly.
 struct Signs {

@@ -18,9 +18,9 @@ struct CertifiedLogs {
 /// integers: docs/certificate.md. This is what is stated, true or not; `certify` makes true ones,
 /// `verify` decides.
 struct Certificate {
-  Curve curve;                   ///< what the claims are about
+  Curve curve;                   ///< what the claims are about, polynomial or rational
   Reference reference;           ///< what θ is measured from
-  Vector<Polynomial> hodograph;  ///< r′ = f · A i A*
+  Vector<Polynomial> hodograph;  ///< W²r′ = f · A i A*
   Polynomial sigma;              ///< σ = |A|²
   Polynomial h;                  ///< uv′ − u′v − pq′ + p′q
   GaussianPolynomial g;          ///< αβ′ − α′β

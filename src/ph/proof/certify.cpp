@@ -8,6 +8,7 @@
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/ph/curve/ph_path.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
 
@@ -95,6 +96,8 @@ Planned plan(const Real& theta, const Rational& t, long digits, bool is_rational
 
 Certificate certify(const Curve& curve, Reference reference, const std::vector<Rational>& at,
                     long digits) {
+  if (!curve.is_polynomial())
+    for (const Rational& t : at) locate_inside(1, t);
   const QuaternionPolynomial& a = curve.preimage();
   const RationalFunction rate = rate_to_erf(a);
   const Polynomial s = sigma(a);
@@ -104,7 +107,7 @@ Certificate certify(const Curve& curve, Reference reference, const std::vector<R
 
   Certificate c{curve,
                 reference,
-                hodograph(curve),
+                hodograph_numerator(curve),
                 s,
                 twist_numerator(a),
                 bend_numerator(a),

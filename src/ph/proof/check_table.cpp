@@ -12,6 +12,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
+#include "phrame/ph/proof/check_weight.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
 
 namespace phrame::inline v0 {
@@ -46,7 +47,7 @@ std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& c
     return fmt::format("it has {} rows, and there are {} angles", rows.size(), claims.size());
   if (sign_after_zero(ph_curve(path.segments().front())->multiplier()) < 0)
     return "the multiplier is negative at the start";
-  const PathAngle angle(path);
+  const PathAngle angle(path, Reference::euler_rodrigues);
   const Vector<Real> first = tangent(path, {0, Rational(0)});
   if (first[0].exact() == Rational(-1)) return "the tangent at the start is -x";
   const StartAngle start = start_angle(LeastRotation(), angle);
@@ -82,12 +83,15 @@ std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& c
 std::string objection_to_table(const Certificate& c,
                                const std::vector<std::vector<Rational>>& rows) {
   if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
+  if (!objection_to_weight(c.curve).empty()) return "rests on the weight";
   const auto is_zero = [&](const Rational& t) { return t == 0 || c.rate.numerator.is_zero(); };
   return objection_to_rows(Path(c.curve), c.claims, is_zero, rows);
 }
 
 std::string objection_to_table(const PathCertificate& c,
                                const std::vector<std::vector<Rational>>& rows) {
+  for (const Certificate& segment : c.segments)
+    if (!objection_to_weight(segment.curve).empty()) return "rests on the weight";
   const auto path = path_of(c);
   if (const auto* objection = std::get_if<std::string>(&path)) return *objection;
   const auto turning = std::ranges::find_if(

@@ -7,6 +7,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
+#include "phrame/ph/curve/hodograph_fraction.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::inline v0 {
@@ -50,7 +51,7 @@ void check(const Classification& c, const Curve& curve) {
   check_shape(c, a);
   if (c.double_ph) check(rho(a) == c.double_ph->constant * pow(c.double_ph->omega, 2), "double PH");
   Polynomial common;
-  for (const Polynomial& component : hodograph_numerator(curve))
+  for (const Polynomial& component : hodograph_fraction(curve).numerator)
     common = gcd(common, exact_quotient(component, c.content));
   check(common.is_constant(), "content");
   if (const auto* frame = std::get_if<RationalFrame>(&c.rational_frame)) check(*frame, a);

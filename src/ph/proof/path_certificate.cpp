@@ -47,6 +47,7 @@ bool are_parallel(const RationalQuaternion& a, const RationalQuaternion& b) {
 }
 
 std::string objection_to_joint(const Curve& before, const Curve& after) {
+  if (before.weight()(1) == 0) return "the weight of the segment before is 0 at its end";
   if (end_point(before) != after.start())
     return "the segment does not begin where the one before ends";
   if (!are_parallel(evaluate(without_real_content(before.preimage()), 1),
@@ -112,7 +113,7 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
         fmt::format("certify: the path has a corner at t = {}, which no certificate "
                     "tells of",
                     path.corners().front()));
-  const PathAngle angle{Path(path)};
+  const PathAngle angle(Path(path), Reference::euler_rodrigues);
   PathCertificate certificate;
   std::vector<std::vector<Rational>> places(curves.size());
   for (const Rational& t : at) {

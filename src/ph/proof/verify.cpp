@@ -9,6 +9,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
+#include "phrame/ph/proof/check_weight.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
 
 namespace phrame::inline v0 {
@@ -19,7 +20,7 @@ std::string objection_to_invariants(const Certificate& c) {
   if (!(c.sigma == sigma(a))) return "sigma is another polynomial";
   if (!(c.h == twist_numerator(a))) return "h is another polynomial";
   if (!(c.g == bend_numerator(a))) return "g is another polynomial";
-  return unless(c.hodograph == hodograph(c.curve), "the hodograph is another one");
+  return unless(c.hodograph == hodograph_numerator(c.curve), "the hodograph is another one");
 }
 
 /// Why Euclid's algorithm modulo m ≥ 2 does not prove that n and d are coprime. m need not be
@@ -309,9 +310,10 @@ std::string objection_to_poles(const Certificate& c) {
 
 std::vector<Statement> verify(const Certificate& c) {
   const std::string no_frame = "a straight line has no Frenet frame";
-  std::vector<Statement> list{{"invariants", objection_to_invariants(c)},
-                              {"rate", objection_to_rate(c)},
-                              {"antiderivative", objection_to_antiderivative(c)}};
+  std::vector<Statement> list{{"invariants", objection_to_invariants(c)}};
+  if (!c.curve.is_polynomial()) list.push_back({"weight", objection_to_weight(c.curve)});
+  list.push_back({"rate", objection_to_rate(c)});
+  list.push_back({"antiderivative", objection_to_antiderivative(c)});
   for (std::size_t k = 0; k < c.logs.size(); ++k) {
     const std::string number = std::to_string(k);
     std::string roots = objection_to_index(c.logs[k].index, c.curve);

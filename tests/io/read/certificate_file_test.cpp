@@ -4,6 +4,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "support/rational_curves.hpp"
 #include "support/refusal.hpp"
 
 using namespace phrame;
@@ -52,6 +53,39 @@ TEST_CASE("certificate: bad files are refused with their place") {
   const auto place = std::string("/decisions/erf_monotone/extrema/0/t/interval");
   CHECK(refusal(place.c_str(), Json{"1", "1"}).starts_with(place + ": an interval has two ends"));
   CHECK(refusal("/decisions/zeros_of_h", Json::array()).starts_with("/decisions: unknown key"));
+}
+
+TEST_CASE("certificate: of a rational curve the position is that of its derivative") {
+  const Json good = Json::parse(
+      write_certificate(certify(quarter_circle(), Reference::euler_rodrigues, {1}, 20), "quarter"));
+  const auto refusal = [&](const char* pointer, const Json& value) {
+    Json bad = good;
+    bad[Json::json_pointer(pointer)] = value;
+    return test::refusal_of([&] { read_certificate(bad.dump()); });
+  };
+  CHECK(refusal("/curve/name", "another").empty());
+  const auto wrong = "/position: Curve: f · A i A* is not X'W - XW'";
+  CHECK(refusal("/position/x", Json{"1", "1", "-1"}) == wrong);
+  CHECK(refusal("/position/w", Json{"2", "0", "2"}) == wrong);
+  CHECK(refusal("/position/w", Json{"1", "1", "1"}).starts_with("/position: the multiplier times"));
+  CHECK(refusal("/position/w", Json{"0", "1"}).starts_with("/position/w: the weight is to be no"));
+  CHECK(refusal("/position/w", Json{"1"}).starts_with("/position/w: the weight is to be no"));
+  CHECK(refusal("/position/v", Json{"1"}).starts_with("/position: unknown key \"v\""));
+  CHECK(refusal("/curve/start", Json{"1", "0", "1"}) ==
+        "/position: it does not begin at the start");
+  CHECK(refusal("/curve/multiplier", Json{"1"}).starts_with("/: unknown key \"position\""));
+  CHECK(refusal("/curve/multiplier/denominator", Json::array()) ==
+        "/curve/multiplier/denominator: the polynomial is 0");
+  CHECK(refusal("/curve/multiplier/numerator", Json::array())
+            .starts_with("/curve: the multiplier is zero"));
+  Json bad = good;
+  bad.erase("position");
+  CHECK(test::refusal_of([&] { read_certificate(bad.dump()); }) ==
+        "/: the key \"position\" is missing");
+  // D = 4m + 2 deg f + 2 deg W + 2 = 10.
+  CHECK(refusal("/sigma", std::vector<std::string>(11, "1")).empty());
+  CHECK(refusal("/sigma", std::vector<std::string>(12, "1")) ==
+        "/sigma: 12 coefficients are more than 11");
 }
 
 TEST_CASE("certificate: numbers have one form") {

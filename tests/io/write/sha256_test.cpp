@@ -2,6 +2,7 @@
 
 #include "io/reference.hpp"
 #include "phrame/io/write/exact_form.hpp"
+#include "support/rational_curves.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -36,4 +37,11 @@ TEST_CASE("exact_form: r' and r(0), whatever the preimage") {
   const Rational s(4, 5);
   const QuaternionPolynomial turned{{c}, {s}, {0, s}, {0, c}};
   CHECK(exact_form(Curve(turned, Polynomial{0, 2, 1}, {Rational(1, 2), 0, -3})) == text);
+}
+
+// ((1 − t²), 2t, 0)/(1 + t²) has the derivative (−4t, 2 − 2t², 0)/(1 + t²)².
+TEST_CASE("exact_form: of a rational curve r' is in lowest terms, whatever the weight") {
+  const std::string text = "dx 0 -4\ndy 2 0 -2\ndz\nover 1 0 2 0 1\nstart 1 0 0\n";
+  CHECK(exact_form(quarter_circle()) == text);
+  CHECK(exact_form(with_factor(quarter_circle(), Polynomial{5, -2})) == text);
 }

@@ -19,6 +19,7 @@
 #include "phrame/ph/offset/trim_measure.hpp"
 #include "phrame/ph/proof/classify.hpp"
 #include "support/random.hpp"
+#include "support/rational_curves.hpp"
 #include "support/refusal.hpp"
 
 namespace rational_ph_test {
@@ -27,19 +28,7 @@ namespace {
 using namespace phrame;
 using test::for_samples;
 using test::Random;
-
-/// r(c·t/(1 + (c − 1)·t)), which goes from 0 to 1 as r does: the same curve, as a rational one.
-RationalCurve reparametrized(const Curve& curve, const Rational& c) {
-  const long n = degree(curve);
-  const Polynomial above{0, c};
-  const Polynomial below{1, c - 1};
-  Vector<Polynomial> X;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Polynomial r = position(curve)[k];
-    for (long j = 0; j <= n; ++j) X[k] += r.coefficient(j) * pow(above, j) * pow(below, n - j);
-  }
-  return RationalCurve(X, pow(below, n));
-}
+using test::reparametrized;
 
 Curve random_curve(Random& random, long degree) {
   for (;;) {

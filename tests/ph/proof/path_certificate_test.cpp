@@ -5,9 +5,11 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
+#include "support/rational_curves.hpp"
 
 using namespace phrame;
 
@@ -76,4 +78,25 @@ TEST_CASE("certificate of a path: corners and places that are not on it are refu
   corner.append(Curve({{1}, {}, {}, {1}}, Polynomial{1}, {1, 0, 0}));
   REQUIRE(corner.corners().size() == 1);
   CHECK_THROWS_AS(certify(corner, {2}, 20), DomainError);
+}
+
+TEST_CASE("certificate of a path: rational and polynomial curves, one behind the other") {
+  const Rational c(2);
+  const Curve rational = std::get<Curve>(identify(test::reparametrized(test::quintic, c)));
+  PhPath path = test::cut(rational, {Rational(1, 2)});  // at 2/3 of the quintic
+  path = PhPath(path.segments().front());
+  path.append(segment(test::quintic, Rational(2, 3), 1));
+  REQUIRE_FALSE(path.segments()[0].is_polynomial());
+  REQUIRE(path.segments()[1].is_polynomial());
+  const PathCertificate honest = certify(path, {1, 2}, 25);
+  const Certificate whole =
+      certify(test::quintic, Reference::euler_rodrigues, {Rational(2, 3), 1}, 25);
+  for (std::size_t k = 0; k < 2; ++k) CHECK(honest.claims[k].theta == whole.claims[k].theta);
+  CHECK(not_proved(honest).empty());
+  // The weight is 0 where the second segment begins.
+  PathCertificate lie = honest;
+  lie.segments[0].curve = test::with_factor(lie.segments[0].curve, Polynomial{1, -1});
+  const auto failed = not_proved(lie);
+  for (const char* name : {"weight", "joint 1", "2"})
+    CHECK(std::ranges::find(failed, name) != failed.end());
 }

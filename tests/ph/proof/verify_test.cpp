@@ -8,9 +8,12 @@
 #include "phrame/algebra/roots.hpp"
 #include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/write/certificate.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/shape.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "support/curves.hpp"
 #include "support/random.hpp"
+#include "support/rational_curves.hpp"
 
 using namespace phrame;
 using namespace phrame::test;
@@ -366,4 +369,31 @@ TEST_CASE("verify: an interval whose end is a zero isolates none") {
   CHECK(not_proved(c).size() == 1);
   point.interval = open_interval(at - 1, 4);
   check_proved(c);
+}
+
+// At ct/(1 + (c − 1)t) the polynomial curve has the frames that the rational one has at t.
+TEST_CASE("certificate: a curve has the angles that it has with another parameter") {
+  const Rational c(3, 2);
+  const Curve rational = std::get<Curve>(identify(reparametrized(quintic, c)));
+  REQUIRE_FALSE(rational.is_polynomial());
+  for (const Reference reference : {Reference::euler_rodrigues, Reference::frenet}) {
+    const Certificate mine = certify(rational, reference, {Rational(1, 3), 1}, 30);
+    const Certificate whole = certify(quintic, reference, {Rational(3, 7), 1}, 30);
+    for (std::size_t k = 0; k < 2; ++k) CHECK(mine.claims[k].theta == whole.claims[k].theta);
+    check_proved(mine);
+    CHECK(read_certificate(write_certificate(mine, "")).certificate == mine);
+    check_proved(certify(with_factor(rational, Polynomial{1, 1}), reference, {1}, 20));
+  }
+  CHECK_THROWS_AS(certify(rational, Reference::frenet, {2}, 30), DomainError);
+}
+
+TEST_CASE("verify: a weight with a zero on [0, 1] is no weight") {
+  const auto objections = [](const Polynomial& factor) {
+    return not_proved(certify(with_factor(quarter_circle(), factor), Reference::frenet, {1}, 20));
+  };
+  using List = std::vector<std::string>;
+  for (const Polynomial& c : {Polynomial{-1, 2}, Polynomial{1, -1}, pow(Polynomial{-2, 3}, 2)})
+    CHECK(std::ranges::count(objections(c), "weight: the weight has a zero on [0, 1]") == 1);
+  CHECK(objections({1, 1}) == List{});
+  CHECK(objections({-4, 3}) == List{});
 }
