@@ -13,4 +13,10 @@ IdentificationAnswer answer(const NamedHodograph& query, const std::optional<Rat
   return result;
 }
 
+IdentificationAnswer answer(const NamedRationalCurve& query) {
+  IdentificationAnswer result{query.name, identify(query.curve)};
+  result.is_rational = true;
+  return result;
+}
+
 }  // namespace phrame

@@ -21,6 +21,7 @@ struct IdentificationAnswer {
   std::optional<Near> near = std::nullopt;     ///< where it was asked for
   /// A hint where no ε was given and a PH curve is near.
   std::optional<NearSuggestion> suggestion = std::nullopt;
+  bool is_rational = false;  ///< is it a rational curve, of which W²r′ = f · A i A* is asked for?
 };
 
 /// A PH spline: the given one, or the one that stands for a spline that is not PH.
@@ -32,5 +33,7 @@ struct PathIdentification {
 /// for. Throws as identify().
 PHRAME_API IdentificationAnswer answer(const NamedHodograph& query,
                                        const std::optional<Rational>& epsilon = std::nullopt);
+/// The same of a rational curve, near which none is looked for.
+PHRAME_API IdentificationAnswer answer(const NamedRationalCurve& query);
 
 }  // namespace phrame

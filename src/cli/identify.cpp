@@ -32,7 +32,7 @@ std::string to_curve_file(const IdentificationAnswer& answer) {
   if (const auto curve = curve_of(answer)) return write_curve(*curve);
   if (answer.near)
     throw AnswerNo{to_line(std::get<NotNear>(answer.near->found), answer.near->epsilon)};
-  throw AnswerNo{"this is no PH curve: " + to_string(std::get<NotPythagorean>(answer.result))};
+  throw AnswerNo{"this is no PH curve: " + reason_of(answer)};
 }
 
 std::string to_path_file(const PathIdentification& found) { return write_path(found.path); }
@@ -60,7 +60,7 @@ PathIdentification spline_of(const std::string& text, const std::optional<Ration
   const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
   if (other != segments.end())
     throw AnswerNo{fmt::format("segment {} is no PH curve", other - segments.begin() + 1)};
-  return {as_ph(named).value()};
+  return {with_preimages(named).value()};
 }
 
 void run_for_spline(const IdentifyOptions& options, const std::string& text) {
@@ -71,6 +71,17 @@ void run_for_spline(const IdentifyOptions& options, const std::string& text) {
   options.length.write(options.curve.output, print(found));
 }
 
+/// Of one curve.
+IdentificationAnswer identified(const std::string& text, const std::optional<Rational>& epsilon,
+                                const CurveLimits& limits) {
+  const auto rational = read_rational_curve(text, limits);
+  if (!rational) return answer(read_hodograph(text, limits), epsilon);
+  IdentificationAnswer found = answer(*rational);
+  if (epsilon && std::holds_alternative<NotPythagorean>(found.result))
+    throw InputError("/", "the curve is rational; --near is of polynomial ones");
+  return found;
+}
+
 void run(const IdentifyOptions& options) {
   const auto print = printer<IdentificationAnswer>(options.print, to_curve_file);
   const auto epsilon = options.curve.epsilon();
@@ -78,9 +89,8 @@ void run(const IdentifyOptions& options) {
   const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
     options.curve.reading.refuse_skipping("one curve by itself");
     options.curve.reading.refuse_picking("one curve by itself");
-    return is_spline_file(text)
-               ? std::nullopt
-               : std::optional(answer(read_hodograph(text, options.curve.limits), epsilon));
+    return is_spline_file(text) ? std::nullopt
+                                : std::optional(identified(text, epsilon, options.curve.limits));
   });
   if (!found) return run_for_spline(options, text);
   options.length.write(options.curve.output, print(*found));
@@ -90,8 +100,7 @@ void run(const IdentifyOptions& options) {
 }  // namespace
 
 void add_identify(Program& program) {
-  Command& command =
-      program.add("identify", "is a polynomial curve Pythagorean-hodograph (PH)? its preimage");
+  Command& command = program.add("identify", "is a curve Pythagorean-hodograph (PH)? its preimage");
   const auto options = std::make_shared<IdentifyOptions>();
   options->curve.add_to(command);
   command.add_format("--print", options->print, {"text", "json", "latex", "curve"},
@@ -99,7 +108,8 @@ void add_identify(Program& program) {
   options->length.add_to(command);
   command.set_notes(
       "Only r' counts, given by control_points or by any preimage and multiplier; found are the A\n"
-      "of least degree and f with r' = f A i A*. Exit status 1: the curve is not PH over Q, and "
+      "of least degree and f with r' = f A i A*, of a rational curve X/W with r' = f A i A*/W^2.\n"
+      "Exit status 1: the curve is not PH over Q, and "
       "with\n"
       "--near EPS there is none found within EPS, the distance of control points. Where one is, "
       "it\n"

@@ -79,6 +79,41 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
                 "phrame: parabola.json:/control_points: this is no PH curve");
 }
 
+// ((1 − t²), 2t)/(1 + t²) has W²r′ = 2(−2t, 1 − t²), along (1 + i − (1 − i)t)² i for complex
+// numbers.
+TEST_CASE("identify: a rational curve has A and f of its derivative times the weight's square") {
+  const Workshop here;
+  here.write("arc.json", R"({"phrame": "curve/1", "name": "arc", "weights": [1, 1, 2],
+      "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]]})");
+  const Run text = here.run("identify arc.json");
+  check_success(text);
+  CHECK(
+      text.out.starts_with("arc: rational PH curve, degree 2 (preimage of degree 1)\n\n"
+                           "r′ = f · A i A*/W² with"));
+  CHECK(text.out.ends_with("Checked: f · A i A* is W²r′, exactly.\n"));
+  const Json arc = Json::parse(here.run("identify arc.json --print json").out);
+  CHECK(arc["ph"] == true);
+  CHECK(arc["speed"] == Json{"2", "0", "2"});
+  CHECK(arc["weight"] == Json{"1", "0", "1"});
+  // By its preimage it is the same.
+  CHECK(here.run("identify arc.json --print curve -o preimage.json").status == 0);
+  CHECK(here.run("identify preimage.json").out == text.out);
+  here.write("bent.json", R"({"phrame": "curve/1", "weights": [1, 1, 3],
+      "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]]})");
+  const Run bent = here.run("identify bent.json --print json");
+  CHECK(bent.status == 1);
+  CHECK(contains(std::string(Json::parse(bent.out)["reason"]),
+                 "|W^2 r'| is no polynomial: |W^2 r'|^2 has"));
+  check_failure(here.run("identify bent.json --near 1e-3"), 2,
+                "bent.json:/: the curve is rational");
+  const std::string arcs = R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2]},
+      {"control_points": [[0, 1, 0], [-1, 1, 0], [-1, 0, 0]], "weights": [1, 1, 2]}]})";
+  const Run both = here.run("identify -", arcs);
+  check_success(both);
+  CHECK(contains(both.out, "Checked: all segments are as they were given"));
+}
+
 TEST_CASE("identify: bad files and options are refused") {
   const Workshop here;
   here.write("bezier.json", bezier);

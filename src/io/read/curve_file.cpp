@@ -148,19 +148,24 @@ std::optional<NearReading> read_curve_near(const Node& node, const Rational& eps
 }
 
 [[noreturn]] void refuse_rational(const Node& node) {
-  node.fail("the curve is rational; only polynomial ones are identified as PH curves");
+  node.fail("the curve is rational, and here a polynomial one is wanted");
 }
 
 /// Of a curve whose weight function is constant.
-NamedHodograph rational_hodograph(const Node& node, const CurveLimits& limits) {
-  const GivenSegment segment = read_curve_segment(node, limits);
-  if (std::holds_alternative<ExpressionCurve>(segment.form))
-    node.fail("the curve is given by formulas; only polynomial ones are identified as PH curves");
-  const auto& curve = std::get<RationalCurve>(segment.form);
-  if (!curve.weight().is_constant()) refuse_rational(node);
+NamedHodograph hodograph_of(const Node& node, const RationalCurve& curve) {
   Vector<Polynomial> hodograph = curve.direction();
   for (Polynomial& h : hodograph) h *= curve.multiplier();
   return {read_name(node), std::move(hodograph), point(curve, 0)};
+}
+
+/// By control points with weights, or a position.
+RationalCurve given_positions(const Node& node, const CurveLimits& limits) {
+  GivenSegment segment = read_curve_segment(node, limits);
+  if (std::holds_alternative<ExpressionCurve>(segment.form))
+    node.fail(
+        "the curve is given by formulas; only polynomials and quotients of them are "
+        "identified as PH curves");
+  return std::get<RationalCurve>(std::move(segment.form));
 }
 
 }  // namespace
@@ -222,12 +227,33 @@ bool is_spline_file(std::string_view text) {
   return format_of(Node(document)) == "spline/1";
 }
 
+std::optional<NamedRationalCurve> read_rational_curve(std::string_view text,
+                                                      const CurveLimits& limits) {
+  const JsonValue document = parse_json_file(text, "curve file");
+  const Node node(document);
+  require_curve(node);
+  refuse_long_numbers(node);
+  std::optional<RationalCurve> curve;
+  if (is_given_as_rational(node)) {
+    curve = given_positions(node, limits);
+  } else if (!node.find("control_points")) {
+    const Curve ph = read_preimage_curve(node, limits).curve;
+    if (!ph.is_polynomial()) curve = PhSegment(ph).by_positions();
+  }
+  if (!curve || curve->weight().is_constant()) return std::nullopt;
+  return NamedRationalCurve{read_name(node), *std::move(curve)};
+}
+
 NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits) {
   const JsonValue document = parse_json_file(text, "curve file");
   const Node node(document);
   require_curve(node);
   refuse_long_numbers(node);
-  if (is_given_as_rational(node)) return rational_hodograph(node, limits);
+  if (is_given_as_rational(node)) {
+    const RationalCurve curve = given_positions(node, limits);
+    if (!curve.weight().is_constant()) refuse_rational(node);
+    return hodograph_of(node, curve);
+  }
   if (const auto points = node.find("control_points")) return read_bezier(node, *points, limits);
   const NamedCurve named = read_preimage_curve(node, limits);
   if (!named.curve.is_polynomial()) refuse_rational(node);

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/named.hpp"
 
 namespace phrame::inline v0 {
@@ -49,7 +50,12 @@ PHRAME_API std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& nod
 /// Is it a spline/1 file? Throws InputError where it says no format.
 PHRAME_API bool is_spline_file(std::string_view text);
 
-/// Reads the same files, but does not ask whether a Bézier curve is PH.
+/// @{ Reads the same files, but does not ask whether the curve is PH: a rational curve, no value
+/// for others; and r′ of a polynomial one. Throws InputError for one by formulas, the second for a
+/// rational one, too.
+PHRAME_API std::optional<NamedRationalCurve> read_rational_curve(std::string_view text,
+                                                                 const CurveLimits& limits = {});
 PHRAME_API NamedHodograph read_hodograph(std::string_view text, const CurveLimits& limits = {});
+/// @}
 
 }  // namespace phrame

@@ -34,6 +34,8 @@ PHRAME_API std::string to_latex(const AxisConstructionAnswer& answer);
 /// The curves as mph/1.
 PHRAME_API std::string write_axis(const AxisConstructionAnswer& answer);
 /// @}
+/// Why the curve is no PH curve, on one line. Precondition: it is none.
+PHRAME_API std::string reason_of(const IdentificationAnswer& answer);
 /// @{ identify/1.
 PHRAME_API std::string to_text(const IdentificationAnswer& answer);
 PHRAME_API std::string to_json(const IdentificationAnswer& answer);

@@ -29,11 +29,12 @@ std::string corners_text(const Path& path) {
 
 std::string heading(const std::string& name, const Curve& curve) {
   const long n = degree(curve);
-  const std::string kind = n == 1   ? "line segment"
-                           : n == 3 ? "PH cubic"
-                           : n == 5 ? "PH quintic"
-                           : n == 7 ? "PH septic"
-                                    : "PH curve";
+  const std::string kind = !curve.is_polynomial() ? "rational PH curve"
+                           : n == 1               ? "line segment"
+                           : n == 3               ? "PH cubic"
+                           : n == 5               ? "PH quintic"
+                           : n == 7               ? "PH septic"
+                                                  : "PH curve";
   return fmt::format("{}{}, degree {} (preimage of degree {})", name_prefix(name), kind, n,
                      preimage_degree(curve));
 }

@@ -13,6 +13,15 @@
 namespace phrame::inline v0 {
 namespace {
 
+/// The lengths of rational curves are those of W²r′.
+std::string of_speed(std::string text, bool is_rational) {
+  if (!is_rational) return text;
+  for (const char* r : {"|r′|", "|r'|"})
+    for (std::size_t at = 0; (at = text.find(r, at)) != std::string::npos; at += 4)
+      text.insert(at + 1, r[2] == '\'' ? "W^2 " : "W²");
+  return text;
+}
+
 std::string reason_text(const NotPythagorean& reason, Notation notation) {
   const bool is_latex = notation == Notation::latex;
   const std::string radicand = reason.radicand.str();
@@ -28,11 +37,13 @@ std::string reason_text(const NotPythagorean& reason, Notation notation) {
 
 Fields curve_fields(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
-  return {json_field("degree", degree(curve)),
-          {"multiplier", "$f$", curve.multiplier()},
-          preimage_field(a),
-          json_field("start", json_of(curve.start())),
-          {"speed", "$f|A|²$", Factored{curve.multiplier() * sigma(a)}}};
+  Fields fields{json_field("degree", degree(curve)),
+                {"multiplier", "$f$", curve.multiplier()},
+                preimage_field(a),
+                json_field("start", json_of(curve.start())),
+                {"speed", "$f|A|²$", Factored{curve.multiplier() * sigma(a)}}};
+  if (!curve.is_polynomial()) fields.push_back({"weight", "$W$", curve.weight()});
+  return fields;
 }
 
 std::string nearness_words(const Nearness& nearness, Notation notation) {
@@ -68,9 +79,12 @@ JsonOutput json_of(const IdentificationAnswer::Near& near) {
 
 std::string curve_words(const Curve& curve, Notation notation) {
   const Fields fields = curve_fields(curve);
-  return notation == Notation::latex
-             ? "$r' = f \\cdot A i A^*$ with $A = u + v i + p j + q k$:\n" + to_align(fields)
-             : "r′ = f · A i A* with A = u + v i + p j + q k\n\n" + to_rows(fields, 5);
+  const bool is_latex = notation == Notation::latex;
+  const std::string over = curve.is_polynomial() ? "" : is_latex ? "/W^2" : "/W²";
+  return is_latex
+             ? "$r' = f \\cdot A i A^*" + over + "$ with $A = u + v i + p j + q k$:\n" +
+                   to_align(fields)
+             : "r′ = f · A i A*" + over + " with A = u + v i + p j + q k\n\n" + to_rows(fields, 5);
 }
 
 std::string near_words(const IdentificationAnswer::Near& near, Notation notation) {
@@ -85,8 +99,9 @@ std::string near_words(const IdentificationAnswer::Near& near, Notation notation
 
 /// Why there is no curve, and what is near it.
 std::string none_words(const IdentificationAnswer& answer, Notation notation) {
-  std::string text =
-      prose(reason_text(std::get<NotPythagorean>(answer.result), notation), notation);
+  std::string text = prose(
+      of_speed(reason_text(std::get<NotPythagorean>(answer.result), notation), answer.is_rational),
+      notation);
   if (answer.near) text += near_words(*answer.near, notation);
   if (answer.suggestion)
     text += fmt::format("\n  --near {} takes the PH curve {} from it.\n",
@@ -104,13 +119,18 @@ std::string nearness_of(const NamedPhPath& path, Notation notation) {
 
 }  // namespace
 
+std::string reason_of(const IdentificationAnswer& answer) {
+  return of_speed(to_string(std::get<NotPythagorean>(answer.result)), answer.is_rational);
+}
+
 std::string to_text(const IdentificationAnswer& answer) {
   const auto* curve = std::get_if<Curve>(&answer.result);
   if (curve == nullptr)
     return name_prefix(answer.name) + "not a PH curve over ℚ\n\n" +
            none_words(answer, Notation::unicode);
-  return fmt::format("{}\n\n{}\n  Checked: f · A i A* is r′, exactly.\n",
-                     heading(answer.name, *curve), curve_words(*curve, Notation::unicode));
+  return fmt::format("{}\n\n{}\n  Checked: f · A i A* is {}r′, exactly.\n",
+                     heading(answer.name, *curve), curve_words(*curve, Notation::unicode),
+                     curve->is_polynomial() ? "" : "W²");
 }
 
 std::string to_latex(const IdentificationAnswer& answer) {
@@ -131,7 +151,7 @@ std::string to_json(const IdentificationAnswer& answer) {
     return pretty(json_of(fields));
   }
   const auto& reason = std::get<NotPythagorean>(answer.result);
-  append({json_field("ph", false), json_field("reason", to_string(reason)),
+  append({json_field("ph", false), json_field("reason", reason_of(answer)),
           json_field("odd_factor", json_of(reason.odd_factor)),
           json_field("radicand", reason.radicand.str())});
   if (answer.near) append({json_field("near", json_of(*answer.near))});

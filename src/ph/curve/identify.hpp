@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <variant>
 
 #include "phrame/export.hpp"
@@ -36,6 +37,12 @@ PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>
                                                         const Vector<Rational>& start);
 /// The same with r(0) = (0, 0, 0).
 PHRAME_API std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph);
+
+/// A rational curve that may not be PH.
+struct NamedRationalCurve {
+  std::string name;     ///< may be empty
+  RationalCurve curve;  ///< whose weight is no constant
+};
 
 /// The same of X/W: of a rational curve r′ = f · A i A*/W².
 PHRAME_API std::variant<Curve, NotPythagorean> identify(const RationalCurve& curve);
