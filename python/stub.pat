@@ -7,6 +7,7 @@ _phrame.__prefix__:
     import typing
     import numpy
     import numpy.typing
+    import phrame._offsets
     from phrame._types import Number, Numbers, Vector, Vectors
 
 

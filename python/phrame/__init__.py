@@ -9,6 +9,7 @@ Decimal('0.28585653009834106200')
 from __future__ import annotations
 
 import numbers
+from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
@@ -21,8 +22,12 @@ from ._phrame import (
     Certificate,
     CheckResult,
     Classification,
+    Envelope,
+    Gauge,
     Integral,
     MinimalTwist,
+    Offset,
+    OffsetCheck,
     Path,
     PathTwist,
     Polynomial,
@@ -32,6 +37,7 @@ from ._phrame import (
     Real,
     SweptBody,
     digits,
+    envelope,
     integrate,
     parse,
     read,
@@ -43,6 +49,8 @@ from ._reference import ReferenceCurve, reference
 from ._threads import set_threads, set_time_limit
 
 numbers.Real.register(Real)
+Sequence.register(Offset)
+Sequence.register(Envelope)
 
 Curve = Path  # what a path of one segment is called, too
 
@@ -53,10 +61,14 @@ __all__ = [
     "Classification",
     "Curve",
     "DomainError",
+    "Envelope",
     "Error",
+    "Gauge",
     "InputError",
     "Integral",
     "MinimalTwist",
+    "Offset",
+    "OffsetCheck",
     "Path",
     "PathTwist",
     "Polynomial",
@@ -70,6 +82,7 @@ __all__ = [
     "__version__",
     "ask",
     "digits",
+    "envelope",
     "integrate",
     "map",
     "parse",

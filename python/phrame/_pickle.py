@@ -28,6 +28,22 @@ def element(thing: Any, attribute: str, k: int) -> Any:
     return getattr(thing, attribute)[k]
 
 
+def within(thing: Any, *way: Any) -> Any:
+    """What lies in it by names and numbers, one after the other."""
+    for step in way:
+        thing = getattr(thing, step) if isinstance(step, str) else thing[step]
+    return thing
+
+
+def kept_offset(given: Any) -> Any:
+    """A path, or numbers, as they are now, or a list of such."""
+    if isinstance(given, _phrame.Path):
+        return given
+    if isinstance(given, (list, tuple)):
+        return tuple(kept_offset(x) if isinstance(x, (list, tuple, _phrame.Path)) or hasattr(x, "dtype") else x for x in given)
+    return kept(given)
+
+
 def kept(numbers: Any) -> Any:
     """Numbers, or rows of them, as they are now: a list or an array may change later."""
     if hasattr(numbers, "copy") and hasattr(numbers, "dtype"):

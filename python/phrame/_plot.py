@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import io
-import json
 import sys
 from fractions import Fraction
 from importlib.util import find_spec
@@ -132,58 +131,83 @@ def _outline(path: Any) -> Any:
     return path.points(ts).T[:2]
 
 
-def _value(x: Any) -> float:
-    """Of a number in an answer: a fraction as text, or an enclosure."""
-    return float(x["value"] if isinstance(x, dict) else _EXACTLY(x))
+def outlines(self: Any) -> Any:
+    """Offset.outlines, Envelope.outlines"""
+    return tuple(_outline(path).T for path in self.paths)
 
 
-def _point(numbers: Any) -> Any:
-    return [_value(x) for x in numbers]
+def _cuts(branches: Any) -> Any:
+    """Where parts end but not at a joint of the path."""
+    return [
+        point
+        for branch in branches
+        for part in branch.parts
+        for t, point in ((part.start, part.start_point), (part.end, part.end_point))
+        if not isinstance(t, Fraction) or t.denominator != 1
+    ]
 
 
-def _cut_points(branch: Any) -> Any:
-    """Where parts of a trimmed offset end but not at a joint of the path."""
-    ends = [part[side] for part in branch["parts"] for side in ("from", "to")]
-    return [_point(end["point"]) for end in ends if isinstance(end["t"], dict) or "/" in end["t"]]
+def marks(self: Any) -> Any:
+    """Offset.marks"""
+    found = {
+        "cusps": [cusp.point for cusp in self.cusps],
+        "self_intersections": [meeting.point for meeting in self.self_intersections],
+        "cuts": _cuts(self.branches),
+    }
+    return {name: np.array(points, dtype=float).reshape(-1, 2) for name, points in found.items()}
+
+
+def _plane_axes(ax: Any, *paths: Any) -> Any:
+    _require_axes(ax, "plot")
+    if ax is None:
+        ax = _new_axes(xlabel="x", ylabel="y", aspect="equal")
+        for path in paths:
+            ax.plot(*_outline(path), color="0.6")
+    return ax
+
+
+def _draw(found: Any, ax: Any, style: Dict[str, Any]) -> Dict[str, Any]:
+    """All paths of an offset or an envelope, alike; how they are drawn."""
+    drawn = dict(style)
+    for points in outlines(found):
+        (line,) = ax.plot(*points.T, **_in_grey(ax, drawn))
+        drawn.update(color=line.get_color(), linestyle=line.get_linestyle())
+    return drawn
+
+
+def one_offset(self: Any, *, ax: Any = None, **style: Any) -> Any:
+    """Offset.plot"""
+    ax = _plane_axes(ax, self.path)
+    drawn = _draw(self, ax, style)
+    for marker, points in zip("oxs", marks(self).values()):
+        if len(points):
+            ax.plot(*points.T, marker, color=drawn.get("color"), fillstyle="none", markersize=5)
+    return ax
 
 
 def offset(self: Any, distance: Any, join: str = "round", trim: bool = False, *, ax: Any = None, **style: Any) -> Any:
     """Path.plot_offset"""
-    from ._ask import ask
-    from ._phrame import parse
-
-    _require_axes(ax, "plot")
     if distance is None:
         raise TypeError("distance: a number or a list of numbers is wanted, not NoneType")
-    if isinstance(distance, (int, Fraction)) and abs(Fraction(distance)) > Fraction(sys.float_info.max):
-        reason = "it is too large to be drawn"
-        raise InputError(f"distance: {reason}", "distance", reason, distance)
-    report = ask("offset", self, distance=distance, join=join, trim=trim)
-    if ax is None:
-        ax = _new_axes(xlabel="x", ylabel="y", aspect="equal")
-        ax.plot(*_outline(self), color="0.6")
-    for found in next(report[key] for key in ("offsets", "trimmed", "both") if key in report):
-        branches = found.get("branches", [found])
-        drawn = dict(style)
-        for curve in (curve for branch in branches for curve in branch["paths"]):
-            try:
-                points = _outline(parse(json.dumps(curve)))
-            except InputError as error:  # too large for a picture
-                raise InputError(f"distance: {error}", "distance", str(error), distance) from None
-            (line,) = ax.plot(*points, **_in_grey(ax, drawn))
-            drawn.update(color=line.get_color(), linestyle=line.get_linestyle())
-        at = [_value(cusp["t"]) for cusp in found.get("cusps", [])]
-        x, y = self.points(at).T[:2] if at else ((), ())
-        e1 = self.frames(at)[:, 0] if at else np.empty((0, 3))
-        d = _value(found["distance"])
-        marks = {
-            "o": [(a + d * t[1], b - d * t[0]) for a, b, t in zip(x, y, e1)],
-            "x": [_point(place["point"]) for place in found.get("self_intersections", {}).get("places", [])],
-            "s": [point for branch in branches if "parts" in branch for point in _cut_points(branch)],
-        }
-        for marker, points in marks.items():
-            if points:
-                ax.plot(*np.transpose(points), marker, color=drawn.get("color"), fillstyle="none", markersize=5)
+    found = []
+    for d in _numbers.numbers(distance, "distance") if np.ndim(distance) else [distance]:
+        if isinstance(d, (int, Fraction)) and abs(Fraction(d)) > Fraction(sys.float_info.max):
+            reason = "it is too large to be drawn"
+            raise InputError(f"distance: {reason}", "distance", reason, d)
+        found.append(self.offset(d, join, trim))
+    ax = _plane_axes(ax, self)
+    for each in found:
+        try:
+            each.plot(ax=ax, **style)
+        except InputError as error:  # too large for a picture
+            raise InputError(f"distance: {error}", "distance", str(error), distance) from None
+    return ax
+
+
+def envelope(self: Any, *, ax: Any = None, **style: Any) -> Any:
+    """Envelope.plot"""
+    ax = _plane_axes(ax)
+    _draw(self, ax, style)
     return ax
 
 

@@ -8,6 +8,7 @@ from typing import Any, Iterable, List, Optional
 import numpy as np
 
 from ._errors import Error, InputError
+from ._phrame import digits
 from ._plot import picture
 
 _LONGEST = 2000  # characters of a formula that somebody looks at
@@ -162,3 +163,52 @@ def body_html(self: Any) -> str:
     is_small = len(self.triangles) <= _MOST_TRIANGLES
     drawing = picture(lambda ax: self.plot(ax=ax), projection="3d") if is_small else ""
     return f"<div><b>Swept body</b>{_table(rows)}{drawing}</div>"
+
+
+def _drawing(self: Any) -> str:
+    try:
+        return picture(lambda ax: self.plot(ax=ax) and ax.set(aspect="equal"))
+    except (Error, OverflowError):
+        return ""
+
+
+def offset_repr(self: Any) -> str:
+    """Offset.__repr__: what takes no time."""
+    d = str(self.distance) if abs(self.distance.numerator * self.distance.denominator) < 10**12 else str(digits(self.distance, 6))
+    return f"<Offset by {d}: {_count(len(self.paths), 'path')}>"
+
+
+def _count(n: int, one: str, many: str = "") -> str:
+    return f"{n} {one if n == 1 else many or one + 's'}"
+
+
+def offset_html(self: Any) -> str:
+    """Offset._repr_html_"""
+    rows = [("distance", str(self.distance))]
+    if not self.two_sided:
+        rows.append(("length", _number(float(self.length))))
+        if self.area is not None:
+            rows.append(("signed area", _number(float(self.area))))
+    rows += [(f"cusp at t = {_number(float(cusp.t))}", _point(cusp.point)) for cusp in self.cusps]
+    rows += [("meets itself", _point(meeting.point)) for meeting in self.self_intersections]
+    rows += [("branch", f"{'closed' if branch.is_closed else 'open'}, {_number(float(branch.length))} long") for branch in self.branches]
+    return f"<div>{_title(self.path, 'Offset of')}{_table(rows)}{_drawing(self)}</div>"
+
+
+def _point(point: Any) -> str:
+    return f"({_number(float(point[0]))}, {_number(float(point[1]))})"
+
+
+def offset_check_html(self: Any) -> str:
+    """OffsetCheck._repr_html_"""
+    rows = [
+        (name, f"{_number(float(side.distance[0]))} … {_number(float(side.distance[1]))} at {_point(side.farthest.point)}, {_count(side.count, 'stretch', 'stretches')}")
+        for name, side in (("missing", self.missing), ("too much", self.too_much))
+    ]
+    return f"<div><b>{escape(repr(self)[1:-1])}</b>{_table(rows)}</div>"
+
+
+def envelope_html(self: Any) -> str:
+    """Envelope._repr_html_"""
+    rows = [("segment", f"degree {segment.degree}") for segment in self.segments]
+    return f"<div><b>{escape(repr(self)[1:-1])}</b>{_table(rows)}{_drawing(self)}</div>"

@@ -1,4 +1,5 @@
 #include "answers.hpp"
+#include "offsets.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -359,6 +360,8 @@ void bind_paths(nb::module_& m) {
   bind_check(m, path);
   bind_certificate(m, path);
   bind_products(path);
+  bind_offsets(m, path);
+  bind_envelope(m);
   bind_sweep(m);
   bind_ask(m);
 }

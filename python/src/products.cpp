@@ -139,29 +139,6 @@ void page(const PathObject& self, nb::handle file, nb::handle ts, nb::handle f2,
   write_page(self.named, query, samples, file);
 }
 
-nb::tuple offset_paths(const PathObject& self, nb::handle distance, nb::handle join,
-                       Flag<"trim"> trim, Flag<"pocket"> pocket) {
-  const PhPath& along = ph_of(self, "offset").path;
-  const Rational d = rational(distance, "distance");
-  if (d == 0) refuse("distance", "0 is no distance", distance);
-  const auto joined_by = chosen<OffsetJoin>(text(join, "join"), "join", offset_joins());
-  OffsetQuery query{{d}, joined_by};
-  query.trim = trim.value;
-  query.pocket = pocket.value;
-  nb::list list;
-  const auto add = [&](std::vector<Path> found) {
-    for (Path& path : found) list.append(wrap(NamedPath(self.named.name, std::move(path))));
-  };
-  if (!trim && !pocket) {
-    add(without_gil([=] { return paths(offset(along, d, joined_by)); }));
-    return nb::tuple(list);
-  }
-  const OffsetAnswer found = without_gil([=] { return answer(NamedPath("", along), query); });
-  for (const OffsetAnswer::Trimmed& part : found.trimmed)
-    for (const OffsetAnswer::Branch& branch : part.branches) add(branch.paths);
-  return nb::tuple(list);
-}
-
 }  // namespace
 
 void bind_products(PathClass& path) {
@@ -178,19 +155,6 @@ void bind_products(PathClass& path) {
            "as a text, at the times 0, period, …: a structured array with k, time, t, s, x, y, "
            "z. With a limit of the acceleration `feed` is the greatest speed, and the motion the "
            "fastest one; then, and with a feed of formulas, there is v, its speed, too.")
-      .def("offset", offset_paths, argument("distance"), argument("join") = "round",
-           argument("trim") = false, argument("pocket") = false,
-           nb::sig("def offset(self, distance: Number, join: str = \"round\", trim: bool = False, "
-                   "pocket: bool = False) -> tuple[Path, ...]"),
-           "The exact offset of a PH path in a plane z = const, > 0 to the right of travel, as "
-           "rational curves; several paths where corners are not joined or it turns back at a "
-           "joint. `join` is \"round\", \"mitre\" or \"open\". With `trim` what is nearer to the "
-           "path than |distance| is cut away, and the paths are the branches that are left, within "
-           "17 digits of it where they are cut. With `pocket` they are those of a closed path at "
-           "that "
-           "distance inwards and at its multiples until nothing is left, one room after the other. "
-           "phrame.ask(\"offset\", …) has its cusps, "
-           "self-intersections, cuts, lengths and areas: docs/offsets.md.")
       .def("compile", compile, argument("prefix") = nb::none(), argument("frame") = nb::none(),
            PHRAME_START_PARAMETERS, argument("lower") = 0, argument("upper") = 1,
            argument("up") = nb::none(),

@@ -27,6 +27,9 @@ class Rdd:
 
 
 CUBIC = phrame.Curve.bezier([[0, 0, 0], [1, 2, 0], [3, 0, 1], [4, 1, 2]])
+PLANE_CUBIC = phrame.Curve([1], [0], [0], [0, 1])
+CIRCLE = phrame.Path.polynomial([1, 0, -1], [0, 2], [], [1, 0, 1])
+AXIS = [[0, 0, 1], ["3/2", 0, 1], [3, 1, 2]]
 RING, OTHER_RING = (phrame.Path.expressions(*r, 0, "2*pi") for r in (("cos(s)", "sin(s)", "0"), ("1 + cos(s)", "0", "sin(s)")))
 POSED = phrame.Path.through([[0, 0, 0], [1, 0, 0]], orientations=[[0, 0, 0, 1], [1, 0, 0, 5]])
 THETA = QUINTIC.angle()
@@ -65,7 +68,7 @@ API = {
     "Path": (phrame.Path, {"curves": [QUINTIC], "name": ""}),
     "Path.json": (QUINTIC.json, {}),
     "Path.plot": (QUINTIC.plot, {"ts": [0, 1], "ax": SPACE, "kind": "rmf", "ribbon": 0.1, "f2": None, **START}),
-    "Path.plot_offset": (phrame.Curve([1], [0], [0], [0, 1]).plot_offset, {"distance": 1, "join": "round", "trim": False, "ax": PLANE}),
+    "Path.plot_offset": (PLANE_CUBIC.plot_offset, {"distance": 1, "join": "round", "trim": False, "ax": PLANE}),
     "Path.point": (QUINTIC.point, {"t": 1, "by": "t"}),
     "Path.nearest": (QUINTIC.nearest, {"point": [1, 2, 3]}),
     "Path.domain": (QUINTIC.domain, {"by": "t"}),
@@ -85,7 +88,14 @@ API = {
     "Path.minimal_twist": (QUINTIC.minimal_twist, {"start": 0, "end": 0, "extra_turns": 0, "up": None}),
     "Path.check": (QUINTIC.check, CHECK),
     "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1, **LIMITS}),
-    "Path.offset": (phrame.Curve([1], [0], [0], [0, 1]).offset, {"distance": 1, "join": "round", "trim": False, "pocket": False}),
+    "Path.offset": (PLANE_CUBIC.offset, {"distance": 1, "join": "round", "trim": False, "pocket": False, "gauge": None}),
+    "Path.check_offset": (PLANE_CUBIC.check_offset, {"given": PLANE_CUBIC.offset(1)[0], "distance": 1, "join": "round", "trim": False, "tolerance": 1}),
+    **{f"Offset.{name}": (getattr(PLANE_CUBIC.offset(1), name), {}) for name in ("text", "latex", "json", "outlines", "marks")},
+    "Offset.plot": (PLANE_CUBIC.offset(1).plot, {"ax": PLANE}),
+    **{f"OffsetCheck.{name}": (getattr(PLANE_CUBIC.check_offset(PLANE_CUBIC.offset(1)[0], 1), name), {}) for name in ("text", "json")},
+    "Gauge.of": (phrame.Gauge.of, {"path": CIRCLE}),
+    **{f"Envelope.{name}": (getattr(phrame.envelope(AXIS), name), {}) for name in ("text", "latex", "json", "outlines")},
+    "Envelope.plot": (phrame.envelope(AXIS).plot, {"ax": PLANE}),
     "Path.compile": (QUINTIC.compile, {"prefix": None, "frame": "erf", **START, "lower": 0, "upper": 1, "up": None}),
     "Path.page": (QUINTIC.page, {"file": "", "ts": None, "f2": None, "samples": 3, **START, "up": None}),
     "Path.from_preimage": (phrame.Path.from_preimage, {**LISTS, **CURVE}),
@@ -165,6 +175,7 @@ API = {
     "parse": (phrame.parse, {"text": QUINTIC.json(), "near": None, "skip_invalid": False, "pick": ""}),
     "integrate": (phrame.integrate, {"f": "1/x", "lower": 1, "upper": 2, "variable": None, "principal_value": False,
                                      "style": "textbook", "form": "auto"}),
+    "envelope": (phrame.envelope, {"axis": AXIS, "trim": False}),
     "ask": (phrame.ask, {"question": "info", "path": QUINTIC}),
     "sweep": (phrame.sweep, {"path": QUINTIC, "profile": "polygon:3,1/9", **START, "end_normal": None, "twist": 0,
                              "scale": 1, "roll": None, "tolerance": None, "normal_tolerance": None, "sections": 3,

@@ -2,6 +2,7 @@
 
 import json
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ def test_what_is_nearer_to_the_path_is_trimmed():
     triangle = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
     (inside,) = triangle.offset("-1/2", trim=True)
     assert inside.length == 6
-    assert triangle.offset(-1, trim=True) == ()
+    assert list(triangle.offset(-1, trim=True)) == [] and not triangle.offset(-1, trim=True)
     assert len(triangle.offset(2, "open", trim=True)) == 3
     (outside,) = triangle.offset(2, "mitre", trim=True)
     assert outside.length == 36
@@ -110,6 +111,116 @@ def test_curves_with_radii_by_ask():
     found = phrame.ask("construct", {"phrame": "points/1", "points": [[0, 0, 1], [3, 1, 2], [6, 0, 1]]}, kind="minkowski")
     axis = {"phrame": "mph/1", "segments": found["segments"]}
     assert [part["degree"] for part in phrame.ask("envelope", axis)["segments"]] == [5, 5]
+
+
+TRIANGLE = phrame.Path.polyline([[0, 0, 0], [4, 0, 0], [4, 3, 0]], closed=True)
+
+
+def test_an_offset_knows_what_the_report_has():
+    found = CUBIC.offset(-1)
+    (cusp,) = found.cusps
+    assert cusp.turns_back and cusp.t == (phrame.root([-2, 0, 1], 1, 2) - 1).sqrt()
+    # r = (t - t^3/3, t^2), n = (2t, t^2 - 1)/(t^2 + 1), r - n there.
+    t = math.sqrt(math.sqrt(2) - 1)
+    assert np.allclose([float(x) for x in cusp.point], [t - t**3 / 3 - 2 * t / (t * t + 1), t * t - (t * t - 1) / (t * t + 1)], rtol=1e-15)
+    # PLANE's lengths, of the two parts and of both.
+    assert [str(phrame.digits(part.length, 16)) for part in found.stretches] == ["0.4112616647572138", "0.1737986712956506"]
+    assert found.stretches[0].end == cusp.t == found.stretches[1].start
+    assert str(phrame.digits(found.length, 16)) == "0.5850603360528644" and found.area is None
+    assert found.distance == -1 and found.self_intersections == () and found.is_complete
+    assert len(found) == 1 and found[0] == found.paths[0] and found[:] == found.paths
+    assert repr(found) == "<Offset by -1: 1 path>"
+    assert json.loads(found.json()) == phrame.ask("offset", CUBIC, distance=-1)
+
+
+def test_where_an_offset_meets_itself():
+    found = SEPTIC.offset(-15)
+    assert len(found.cusps) == 4 and len(found.self_intersections) == 6
+    (path,) = found
+    for meeting in found.self_intersections:
+        for t in meeting.t:
+            assert np.allclose(path.points([float(t)])[0, :2], [float(x) for x in meeting.point], rtol=1e-9, atol=1e-9)
+        assert meeting.on_joins == (False, False) and meeting.t[0] < meeting.t[1]
+    marks = found.marks()
+    assert [marks[name].shape for name in ("cusps", "self_intersections", "cuts")] == [(4, 2), (6, 2), (0, 2)]
+    (outline,) = found.outlines()
+    for x, y in [*marks["cusps"], *marks["self_intersections"]]:
+        assert np.hypot(*(outline - (x, y)).T).min() < 1
+
+
+def test_branches_of_what_is_trimmed():
+    found = TRIANGLE.offset("-1/2", trim=True)
+    (branch,) = found.branches
+    assert branch.is_closed and (branch.length, branch.area, branch.distance) == (6, 1.5, -0.5)
+    assert [(str(part.start), str(part.end), part.kind) for part in branch.parts] == [("3/8", "7/8", "offset"), ("7/6", "5/3", "offset"), ("11/5", "27/10", "offset")]
+    assert (found.length, found.area) == (6, 1.5) and found.cusps == ()
+    assert {tuple(x) for x in found.marks()["cuts"]} == {(1.5, 0.5), (3.5, 0.5), (3.5, 2)}
+    rooms = TRIANGLE.offset("-1/4", pocket=True).branches
+    assert [(room.distance, room.length) for room in rooms] == [(-0.25, 9), (-0.5, 6), (-0.75, 3)]
+    (half,) = CUBIC.offset(-1, trim=True).branches
+    assert not half.is_closed and half.area is None and half.parts[0].is_cut_at_start and not half.parts[0].is_cut_at_end
+
+
+def test_offsets_of_both_sides():
+    found = phrame.Path.bezier([[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]).offset("1/3")
+    x, y, w, t = found.two_sided.x, found.two_sided.y, found.two_sided.weight, found.two_sided.t
+    for m in (-3, "1/2", 5):
+        at = t[0](m) / t[1](m)
+        gap = (x(m) / w(m) - at) ** 2 + (y(m) / w(m) - at * at) ** 2
+        assert gap * 9 == 1
+    with pytest.raises(phrame.DomainError, match="length"):
+        found.length
+
+
+def test_gauges():
+    circle = phrame.Path.polynomial([1, 0, -1], [0, 2], [], [1, 0, 1])
+    gauge = phrame.Gauge.of(circle)
+    assert gauge.degree == 2 and gauge == phrame.Gauge.of(circle) and repr(gauge) == "<Gauge of degree 2>"
+    assert (gauge.x(2), gauge.y(2), gauge.weight(2)) == (-3, 4, 5)
+    assert CUBIC.offset("1/2", gauge=gauge).paths == CUBIC.offset("1/2").paths == CUBIC.offset("1/2", gauge=circle).paths
+    with pytest.raises(phrame.DomainError, match="path: gauge: it is not symmetric"):
+        phrame.Gauge.of(circle.translated([1, 0, 0]))
+    with pytest.raises(TypeError, match="gauge: a Gauge or a Path is wanted"):
+        CUBIC.offset(1, gauge=3)
+
+
+def test_a_check():
+    good = CUBIC.check_offset(CUBIC.offset("1/2")[0], "1/2", tolerance="1e-9")
+    assert good and good.passes and good.missing.count == 0 and good.missing.distance[1] < 1e-9
+    points = CUBIC.offset("1/2")[0].points(np.linspace(0, 1, 20))
+    for given in (points, points[:, :2], [points[:, :2]]):
+        found = CUBIC.check_offset(given, "1/2", tolerance="1e-6")
+        assert not found and found.is_decided and found.missing.count == len(found.missing.stretches) > 0
+        low, high = found.too_much.distance
+        assert 0 < low <= high < 2e-3  # of chords of 1/9
+    assert repr(found).startswith("<OffsetCheck: not within")
+    stretch = found.missing.stretches[0]
+    assert stretch.is_proved and stretch.start.t < stretch.farthest.t < stretch.end.t and stretch.distance <= high * 2
+    with pytest.raises(ValueError, match="two points are wanted"):
+        CUBIC.check_offset([[0, 0]], 1)
+
+
+def test_an_envelope():
+    rows = [[0, 0, 1], ["3/2", 0, 1], [3, 1, 2]]
+    whole = phrame.envelope(rows)
+    (segment,) = whole.segments
+    assert segment.degree == 2 and segment.sigma == phrame.Polynomial([3]) and segment.lightlike == ()
+    a, b, c, d = segment.null_factors
+    assert (a, b, c, d) == tuple(map(phrame.Polynomial, ([3, 2], [3, -2], [1], [1])))
+    # Each point of a side touches its disc: at the distance r from the center.
+    for t in (0, "1/3", 1):
+        x, y, r = 3 * Fraction(t), Fraction(t) ** 2, 1 + Fraction(t) ** 2
+        px, py, _ = segment.left.point(t)
+        assert (px - x) ** 2 + (py - y) ** 2 == r * r
+    found = phrame.envelope({"phrame": "mph/1", "control_points": rows}, trim=True)
+    (branch,) = found.branches
+    assert branch.is_closed and len(branch.parts) == 7 and {part.kind for part in branch.parts} == {"left", "right", "arc"}
+    assert repr(found) == "<Envelope of 1 curve with radii, 1 loop>"
+    assert json.loads(found.json()) == phrame.ask("envelope", {"phrame": "mph/1", "control_points": rows}, trim=True)
+    assert len(phrame.envelope([rows, [[0, 0, 1], [1, 0, 1]]]).segments) == 2
+    for wrong, message in (([[0, 0, 1], [1, 1, 1], [2, 0, 1]], "axis.*no Minkowski PH curve"), ([[0, 0, -1], [1, 0, -1]], "radius")):
+        with pytest.raises(phrame.Error, match=message):
+            phrame.envelope(wrong)
 
 
 def test_what_has_no_offset():

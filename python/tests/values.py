@@ -16,6 +16,9 @@ def values():
     ts = [0, "1/2", 1]
     posed = phrame.Path.through([[0, 0, 0], [1, 0, 0], [2, 1, 1]], orientations=[[0, 0, 0, 1], [1, 0, 0, 5], [0, 0, 1, 4]],
                                 smooth_twist=True, turns=[0, 1])
+    plane, circle = phrame.Curve([1], [0], [0], [0, 1]), phrame.Path.polynomial([1, 0, -1], [0, 2], [], [1, 0, 1])
+    triangle = phrame.Path.polyline([[0, 0, 0], [4, 0, 0], [4, 3, 0]], closed=True)
+    axis = [[0, 0, 1], ["3/2", 0, 1], [3, 1, 2]]
     return {
         phrame.Polynomial: [QUINTIC.sigma, phrame.Polynomial([])],
         phrame.RationalFunction: [QUINTIC.torsion_function],
@@ -33,6 +36,11 @@ def values():
         phrame.RationalTwist: [twist.rational(), twist.rational(gamma="3/4"), twist.rational(degree=1, free_ends=True)],
         phrame.RationalTwistPiece: [*twist.rational(subdivide=["inflections", "1/2"], proved=False).pieces, twist.rational().pieces[0].other],
         phrame.CheckResult: [QUINTIC.check(ts, QUINTIC.frames(ts)[:, 1]), cubic.check(ts, cubic.frames(ts, kind="frenet")[:, 1])],
+        phrame.Offset: [plane.offset(-1), plane.offset(-1, trim=True), triangle.offset(-1, "mitre", pocket=True),
+                        plane.offset("1/2", gauge=circle), phrame.Curve.bezier([[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]).offset("1/3")],
+        phrame.OffsetCheck: [plane.check_offset(plane.offset(1)[0], 1), triangle.check_offset([[0, 1], [1, 2]], 1, trim=True)],
+        phrame.Gauge: [phrame.Gauge.of(circle)],
+        phrame.Envelope: [phrame.envelope(axis), phrame.envelope([axis], trim=True)],
         phrame.Certificate: [QUINTIC.certify(at=["1/2"], digits=20), two.certify(digits=5)],
         phrame.SweptBody: [phrame.sweep(cubic, "polygon:3,1/9", sections=3),
                            phrame.sweep(QUINTIC, "polygon:3,1/9", normal_tolerance="30deg")],

@@ -19,11 +19,11 @@ namespace phrame::inline v0 {
 namespace {
 
 OffsetAnswer::Measure measure(const DefiniteIntegral& found, const std::string& name, long digits) {
-  return {found.exact, rounded_or_zero(found.value, name, digits)};
+  return {found.exact, rounded_or_zero(found.value, name, digits), found.value};
 }
 
 OffsetAnswer::Measure measure(const Real& x, const std::string& name, long digits) {
-  OffsetAnswer::Measure found{std::nullopt, rounded_as_known(x, name, digits)};
+  OffsetAnswer::Measure found{std::nullopt, rounded_as_known(x, name, digits), x};
   if (x.exact()) found.exact = exact_value(*x.exact());
   return found;
 }
@@ -37,7 +37,7 @@ class OffsetReport {
   OffsetAnswer::Part make() {
     OffsetAnswer::Part part{offset_.distance, paths(offset_), {}, {}, {}, false, {}, {}, {}, {}};
     for (const OffsetCusp& cusp : cusps(offset_))
-      part.cusps.push_back({parameter(cusp.piece, cusp.t), cusp.turns_back});
+      part.cusps.push_back({parameter(cusp.piece, cusp.t), cusp.turns_back, point(cusp)});
     add_meetings(part);
     for (const std::size_t k : offset_.inner_corners) part.inner_corners.push_back(corner(k));
     if (is_euclidean_)
@@ -74,6 +74,11 @@ class OffsetReport {
     const OffsetPiece& of = offset_.pieces[piece];
     if (of.is_join) return corner(of.segment);
     return affine(t, 1, Rational(static_cast<long>(of.segment)));
+  }
+
+  std::array<Decimal, 2> point(const OffsetCusp& cusp) const {
+    const Real t = to_real(cusp.t);
+    return boundary_end(offset_.pieces[cusp.piece].curve, t, t, digits_).at;
   }
 
   Decimal parameter(std::size_t piece, const RealBall& t) const {

@@ -28,11 +28,13 @@ struct OffsetAnswer {
   struct Measure {
     std::optional<ExactValue> exact;  ///< in finite terms, where it is known so
     Decimal rounded;                  ///< to the digits asked for
+    Real value = Rational(0);         ///< all of them
   };
   /// A zero of 1 + dκ.
   struct Cusp {
-    RealAlgebraic t;  ///< of the path
-    bool turns_back;  ///< does the offset turn back?
+    RealAlgebraic t;            ///< of the path
+    bool turns_back;            ///< does the offset turn back?
+    std::array<Decimal, 2> at;  ///< x and y, to the digits asked for
   };
   /// A place where the offset meets itself.
   struct Place {

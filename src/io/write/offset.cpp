@@ -40,14 +40,16 @@ Value measure_value(const OffsetAnswer::Measure& x) {
 Value cusps_value(const Part& part) {
   const auto rows = [&](Notation notation) {
     std::vector<std::string> list;
-    for (const auto& [t, turns_back] : part.cusps)
+    for (const auto& [t, turns_back, point] : part.cusps)
       list.push_back(in_words(t, notation) +
                      (turns_back ? ", where it turns back" : ", where it goes on"));
     if (list.empty()) list.emplace_back("none");
     return list;
   };
   const auto json = [](const OffsetAnswer::Cusp& cusp) -> JsonOutput {
-    return {{"t", json_of(cusp.t)}, {"turns_back", cusp.turns_back}};
+    return {{"t", json_of(cusp.t)},
+            {"turns_back", cusp.turns_back},
+            {"point", {json_of(cusp.at[0]), json_of(cusp.at[1])}}};
   };
   return {Value::Rows(rows), [&part, json] { return array_of(part.cusps, json); }};
 }
