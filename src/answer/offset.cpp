@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/offset/gauge_trim.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
 #include "phrame/ph/offset/offset_trim.hpp"
@@ -119,8 +121,18 @@ class OffsetReport {
 /// What is said of one that is trimmed.
 class TrimReport {
  public:
+  using Measuring = std::function<BranchMeasure(const TrimmedBranch& branch)>;
+
+  TrimReport(Rational end, const TrimmedOffset& trimmed, Measuring measuring, long digits)
+      : end_(std::move(end)),
+        trimmed_(trimmed),
+        measuring_(std::move(measuring)),
+        digits_(digits) {}
   TrimReport(const PhPath& path, const TrimmedOffset& trimmed, long digits)
-      : path_(path), trimmed_(trimmed), digits_(digits) {}
+      : TrimReport(
+            path.end(), trimmed,
+            [&](const TrimmedBranch& branch) { return phrame::measure(path, trimmed, branch); },
+            digits) {}
 
   OffsetAnswer::Trimmed make() const {
     OffsetAnswer::Trimmed report{trimmed_.offset.distance, {}, undecided()};
@@ -158,7 +170,7 @@ class TrimReport {
                                is_join(part.piece), part.from.exact() != Rational(0),
                                part.to.exact() != Rational(1)});
     }
-    const BranchMeasure size = phrame::measure(path_, trimmed_, branch);
+    const BranchMeasure size = measuring_(branch);
     report.length = measure(size.length, "the length of a branch", digits_);
     if (size.area) report.area = measure(*size.area, "the area of a branch", digits_);
     return report;
@@ -167,15 +179,16 @@ class TrimReport {
   Real parameter(std::size_t piece, const Real& t) const {
     const OffsetPiece& of = trimmed_.offset.pieces[piece];
     if (!of.is_join) return t + Real(Rational(static_cast<long>(of.segment)));
-    return of.segment == 0 ? path_.end() : Rational(static_cast<long>(of.segment));
+    return of.segment == 0 ? end_ : Rational(static_cast<long>(of.segment));
   }
 
   OffsetAnswer::End end(std::size_t piece, const Real& t) const {
     return boundary_end(trimmed_.offset.pieces[piece].curve, t, parameter(piece, t), digits_);
   }
 
-  const PhPath& path_;
+  Rational end_;
   const TrimmedOffset& trimmed_;
+  Measuring measuring_;
   long digits_;
 };
 
@@ -276,7 +289,7 @@ OffsetAnswer::Part part_of(const Rational& end, const Offset& offset, long digit
 }
 
 OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
-  if (query.trim || query.pocket) throw DomainError("offset: under a gauge nothing is trimmed");
+  if (query.pocket) throw DomainError("pocket: under a gauge there are none");
   const GaugeOffsets offsets(named.path, *query.gauge);
   if (offsets.none().size() == named.path.segments().size())
     throw DomainError(fmt::format(
@@ -287,9 +300,20 @@ OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
   OffsetAnswer answer{named, named.path.is_closed(), query.join, {}};
   answer.gauge = query.gauge;
   answer.without = offsets.none();
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
+  for (const Rational& d : query.distances) {
+    if (!query.trim) {
+      answer.offsets.push_back(
+          part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
+      continue;
+    }
+    const TrimmedOffset trimmed = trimmed_offset(named.path, *query.gauge, d, query.join);
+    answer.trimmed.push_back(
+        TrimReport(
+            named.path.end(), trimmed,
+            [&](const TrimmedBranch& branch) { return phrame::measure(trimmed, branch); },
+            query.digits)
+            .make());
+  }
   return answer;
 }
 

@@ -123,7 +123,7 @@ struct OffsetAnswer {
 /// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
 /// distance 0, as trimmed_offset(), and for a pocket of an open path, at several distances, or to
 /// the outside; under a gauge as GaugeOffsets, where no segment has a rational offset, with the
-/// degrees of the factors of that, and for what is to be trimmed.
+/// degrees of the factors of that, as trimmed_offset(), and for pockets.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

@@ -186,7 +186,7 @@ void add_offset(Program& program) {
   options->length.add_to(command);
   command.only_with({"--tol"}, {"--check"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
-  command.not_with({"--trim", "--pocket", "--check"}, {"--gauge"});
+  command.not_with({"--pocket", "--check"}, {"--gauge"});
   command.set_notes(
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"

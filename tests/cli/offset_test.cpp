@@ -366,6 +366,21 @@ TEST_CASE("offset --gauge: an ellipse, by its file or as SVG, and the unit circl
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
 
+TEST_CASE("offset --gauge --trim: a rectangle under an ellipse is a smaller rectangle inside") {
+  const Workshop here;
+  here.write("ellipse.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [3, 0, -3], "y": [0, 4], "w": [1, 0, 1]}})");
+  here.write("box.svg", R"(<svg><path d="M0,0 L4,0 L4,2 L0,2 Z"/></svg>)");
+  const Run run =
+      here.run("offset box.svg --distance -1/4 --trim --gauge ellipse.json --print json");
+  REQUIRE(run.status == 0);
+  const auto branches = nlohmann::json::parse(run.out)["trimmed"][0]["branches"];
+  REQUIRE(branches.size() == 1);
+  // By 3/4 to the sides and by 1/2 up and down: 5/2 times 1.
+  CHECK(branches[0]["length"]["exact"] == "7");
+  CHECK(branches[0]["area"]["exact"] == "5/2");
+}
+
 TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused in one line") {
   const Workshop here;
   here.write("turn.json", turn);
@@ -381,7 +396,7 @@ TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused
          "strictly convex: U' x U'' = 0 at phi");
   here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
       "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
-  for (const char* option : {"--trim", "--pocket", "--check turn.json"})
+  for (const char* option : {"--pocket", "--check turn.json"})
     check_failure(
         here.run(std::string("offset turn.json --distance 1 --gauge circle.json -o off.json ") +
                  option),

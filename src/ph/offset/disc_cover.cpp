@@ -58,17 +58,6 @@ std::optional<Rational> negative_between(const std::vector<RealRoot>& roots, con
   }
 }
 
-/// Where p < 0 on [0, 1], if anywhere.
-std::optional<Rational> negative_place(const Polynomial& p) {
-  if (p.is_zero()) return std::nullopt;
-  constexpr long bits = 128;
-  constexpr int depth = 10;
-  const NegativePlace seen =
-      negative_place(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), 0, 1, depth);
-  if (seen.at || seen.is_decided) return seen.at;
-  return negative_between(real_roots(p, open_interval(0, 1)), p);
-}
-
 double size_of(const PlaneBox& box) {
   double size = 0;
   for (const DoubleInterval& x : box) size = std::max({size, std::abs(x.lower), std::abs(x.upper)});
@@ -150,6 +139,16 @@ std::vector<DiscTrack> tracks_of(const PhPath& path, const Rational& d) {
 
 }  // namespace
 
+std::optional<Rational> negative_place(const Polynomial& p) {
+  if (p.is_zero()) return std::nullopt;
+  constexpr long bits = 128;
+  constexpr int depth = 10;
+  const NegativePlace seen =
+      negative_place(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), 0, 1, depth);
+  if (seen.at || seen.is_decided) return seen.at;
+  return negative_between(real_roots(p, open_interval(0, 1)), p);
+}
+
 Disc DiscTrack::at(const Rational& t) const {
   const Rational w = weight(t);
   return {{x(t) / w, y(t) / w, 0}, radius(t) / w};
@@ -219,11 +218,16 @@ bool DiscCover::covers(const PlaneBox& box) const {
   });
 }
 
+bool DiscCover::any_near(const Vector<Rational>& at,
+                         const std::function<bool(std::size_t track)>& is_wanted) const {
+  const PlaneBox box{around(at[0]), around(at[1])};
+  return any_within(box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box), is_wanted);
+}
+
 std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size_t track,
                                            const Polynomial& known) const {
-  const PlaneBox box{around(at[0]), around(at[1])};
   std::optional<Disc> found;
-  any_within(box, reach_ * (1 + 1e-12) + 0x1p-40 * size_of(box), [&](std::size_t k) {
+  any_near(at, [&](std::size_t k) {
     const DiscTrack& disc = parts_[k].track;
     const Polynomial x = disc.x - at[0] * disc.weight;
     const Polynomial y = disc.y - at[1] * disc.weight;

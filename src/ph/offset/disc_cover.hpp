@@ -41,6 +41,10 @@ class DiscCover {
   /// Is one disc seen to have all of the box inside? Doubles, with their errors, decide that; false
   /// says nothing.
   bool covers(const PlaneBox& box) const;
+  /// Is any of the tracks wanted of which the point may be inside of a disc? All others are too far
+  /// away.
+  bool any_near(const Vector<Rational>& at,
+                const std::function<bool(std::size_t track)>& is_wanted) const;
 
  private:
   struct Part {
@@ -57,6 +61,9 @@ class DiscCover {
   std::vector<Part> parts_;
   std::vector<PlaneBox> boxes_;  ///< of all parts, of each half of them, and so on, as in a heap
 };
+
+/// Where p < 0 on [0, 1], if anywhere: decided exactly.
+std::optional<Rational> negative_place(const Polynomial& p);
 
 /// (s − t)², in s.
 Polynomial double_zero(const Rational& t);

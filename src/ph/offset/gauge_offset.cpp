@@ -48,6 +48,14 @@ GaugeParameter between(const Gauge& gauge, const GaugeParameter& from, const Gau
   return way(cross(a, middle).sign() == side && cross(middle, b).sign() == side ? 1 : -1);
 }
 
+/// The φ with U(φ) = −U(constant).
+GaugeParameter opposite(const Gauge& gauge, const GaugeParameter& constant) {
+  const PlaneDirection u = value(gauge, constant);
+  const Polynomial at = gcd(gauge.x() + u.x * gauge.weight(), gauge.y() + u.y * gauge.weight());
+  if (at.degree() < 1) return {{1}, {}};
+  return {{-at.coefficient(0)}, {at.coefficient(1)}};
+}
+
 /// Lines along the tangents.
 std::vector<RationalCurve> mitre(const PlaneCorner& corner, const PlaneDirection& a,
                                  const PlaneDirection& b, const Rational& d) {
@@ -126,6 +134,27 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
     return pieces;
   };
   return joined_offset(d, std::move(segments), is_closed, at_corner);
+}
+
+std::vector<RationalCurve> GaugeOffsets::end_cap(const Rational& d) const {
+  const auto& [path, is_closed, gauge, parameters] = *state_;
+  const RationalCurve& curve = *rational_curve(path.segments().back());
+  const auto [x, y, z] = point(curve, 1);
+  const GaugeParameter from = parameter_at(*parameters.back(), 1);
+  const GaugeParameter to = opposite(gauge, from);
+  // Of the two φ half way on the line through both, one is ahead.
+  const auto half = [&](const Rational& sign) -> GaugeParameter {
+    return {from.p + sign * to.p, from.q + sign * to.q};
+  };
+  const auto is_ahead = [&](const GaugeParameter& at) {
+    return cross(value(gauge, from), value(gauge, at)).sign() == d.sign();
+  };
+  const GaugeParameter ahead = is_ahead(half(1)) ? half(1) : half(-1);
+  std::vector<RationalCurve> arcs;
+  for (const auto& [a, b] : {std::pair(from, ahead), std::pair(ahead, to)})
+    arcs.push_back(*moved(Vector<Polynomial>{Polynomial{x}, {y}, {z}}, {1},
+                          vector_at(gauge, between(gauge, a, b)), d));
+  return arcs;
 }
 
 }  // namespace phrame

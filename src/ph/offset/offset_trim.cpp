@@ -6,15 +6,13 @@
 // changes its sign. So between two such places one point tells for all. A part of which one point
 // of the path is seen to be nearer than |d| has no such place.
 //
-// With mitres, what is between them and the path counts as nearer, too: kites, of which two sides
-// are mitres, which are boundary curves in place of the arcs, and two are at less than |d| from the
-// corner.
+// With mitres, what is between them and the path counts as nearer, too, and they are boundary
+// curves in place of the arcs.
 #include "phrame/ph/offset/offset_trim.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/end_point.hpp"
@@ -22,6 +20,7 @@
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
+#include "phrame/ph/offset/mitre_kites.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/shadow.hpp"
@@ -111,63 +110,13 @@ class StrokeMaker {
   Stroke stroke_;
 };
 
-/// What is between the mitres of an offset and the path: kites with the corner, the tip, and the
-/// ends of the offsets of both sides.
-class MitreKites {
- public:
-  MitreKites(const PhPath& path, const Offset& offset) {
-    const auto& pieces = offset.pieces;
-    for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-      if (!pieces[k].is_join || !is_line(pieces[k].curve)) continue;
-      const Vector<Rational>& corner = path.segments()[pieces[k].segment].start();
-      Kite kite{{corner, point(pieces[k].curve, 0), point(pieces[k].curve, 1),
-                 point(pieces[k + 1].curve, 1)}};
-      if (side(kite.points[0], kite.points[1], kite.points[2]) < 0)
-        std::swap(kite.points[1], kite.points[3]);
-      const Vector<Rational> reach = kite.points[2] - corner;
-      kite.center = {round_to_double(corner[0]), round_to_double(corner[1])};
-      kite.reach = 1.001 * round_to_double(abs(reach[0]) + abs(reach[1])) +
-                   1e-12 * (std::abs(kite.center[0]) + std::abs(kite.center[1]));
-      kites_.push_back(std::move(kite));
-      ++k;
-    }
-  }
-
-  /// Is the point inside one of them, not on its boundary?
-  bool contain(const Vector<Rational>& at) const {
-    const double x = round_to_double(at[0]);
-    const double y = round_to_double(at[1]);
-    return std::ranges::any_of(kites_, [&](const Kite& kite) {
-      if (std::abs(x - kite.center[0]) > kite.reach || std::abs(y - kite.center[1]) > kite.reach)
-        return false;
-      for (std::size_t k = 0; k < 4; ++k)
-        if (side(kite.points[k], kite.points[(k + 1) % 4], at) <= 0) return false;
-      return true;
-    });
-  }
-
- private:
-  struct Kite {
-    std::array<Vector<Rational>, 4> points;  ///< to the left
-    std::array<double, 2> center{};          ///< the corner
-    double reach = 0;                        ///< nothing of it is farther from that, in x and in y
-  };
-
-  /// 1 where c is to the left of the line from a to b.
-  static int side(const Vector<Rational>& a, const Vector<Rational>& b, const Vector<Rational>& c) {
-    return Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).sign();
-  }
-
-  std::vector<Kite> kites_;
-};
-
 /// Of round or mitred offsets.
 TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin join) {
   TrimmedOffset result{phrame::offset(path, d, join), {}, {}};
   const auto& pieces = result.offset.pieces;
   const Stroke stroke = StrokeMaker(path, result.offset).make();
   const DiscCover discs(path, d);
-  const MitreKites kites(path, result.offset);
+  const MitreKites kites(result.offset, [&](std::size_t k) { return path.segments()[k].start(); });
   const auto disc_around = [&](std::size_t piece, const Rational& t) {
     const OffsetPiece& of = pieces[piece];
     const Vector<Rational> at = point(of.curve, t);
@@ -259,8 +208,9 @@ class Reunion {
   std::vector<SegmentPart> origins_;  ///< what the pieces are of those of the whole offset
 };
 
-/// Without the joins.
-std::vector<TrimmedBranch> opened(const TrimmedOffset& trimmed) {
+}  // namespace
+
+std::vector<TrimmedBranch> without_joins(const TrimmedOffset& trimmed) {
   std::vector<TrimmedBranch> found;
   for (const TrimmedBranch& branch : trimmed.branches) {
     const auto is_join = [&](const OffsetPart& part) {
@@ -280,8 +230,6 @@ std::vector<TrimmedBranch> opened(const TrimmedOffset& trimmed) {
   return found;
 }
 
-}  // namespace
-
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin join) {
   require_no_turning_back(path);
   const OffsetJoin kept = join == OffsetJoin::mitre ? join : OffsetJoin::round;
@@ -289,7 +237,7 @@ TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin j
   const PathInParts fine = in_turning_parts(path);
   const TrimmedOffset found = trimmed_whole(fine.path, d, kept);
   TrimmedOffset result = Reunion(found, fine.parts, std::move(whole)).make();
-  if (join == OffsetJoin::open) result.branches = opened(result);
+  if (join == OffsetJoin::open) result.branches = without_joins(result);
   return result;
 }
 

@@ -22,6 +22,9 @@ struct TrimmedOffset {
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);
 
+/// Its branches without what joins offsets at corners.
+std::vector<TrimmedBranch> without_joins(const TrimmedOffset& trimmed);
+
 /// The branch as a path, in several where it turns back at a cut. It is the offset itself, exactly,
 /// where it is cut at rational parameters. Where it is cut elsewhere, the parameters are rounded to
 /// so many digits and some more, so that the parts are on the offset still, and the ends that meet

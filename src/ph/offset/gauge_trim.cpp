@@ -1,0 +1,126 @@
+// As offset_trim.cpp, with |d|·U for the circle of radius |d|: a point at the distance |d| from the
+// path is on |d|·U about its nearest point there, where that touches the path, or about an end of
+// the path or a corner.
+#include "phrame/ph/offset/gauge_trim.hpp"
+
+#include <fmt/format.h>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/gauge_cover.hpp"
+#include "phrame/ph/offset/gauge_offset.hpp"
+#include "phrame/ph/offset/mitre_kites.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+std::vector<RationalCurve> curves_of(const Path& path) {
+  std::vector<RationalCurve> curves;
+  for (const Segment& segment : path.segments()) curves.push_back(*rational_curve(segment));
+  return curves;
+}
+
+void require_no_turning_back(const std::vector<RationalCurve>& curves) {
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const auto turns = odd_inside(real_roots(curves[k].multiplier(), open_interval(0, 1)));
+    if (!turns.empty())
+      throw DomainError(
+          fmt::format("trimmed_offset: the path turns back at a cusp, in segment {} at {}", k + 1,
+                      place_text("t", turns.front().at)));
+  }
+}
+
+/// All boundary curves, those of the offset first.
+OffsetBranches stroke_of(const Path& path, const GaugeOffsets& offsets, const Gauge& gauge,
+                         const Offset& own) {
+  OffsetBranches stroke = branches_of(own);
+  const auto add = [&](const OffsetBranches& more) {
+    const std::size_t first = stroke.curves.size();
+    for (std::size_t k = 0; k < more.curves.size(); ++k) {
+      stroke.curves.push_back(more.curves[k]);
+      stroke.behind.push_back(more.behind[k] == no_segment ? no_segment : first + more.behind[k]);
+    }
+  };
+  if (path.is_closed()) {
+    add(branches_of(offsets.at(-own.distance)));
+    return stroke;
+  }
+  const GaugeOffsets back(reversed(path), gauge);
+  const auto add_cap = [&](const std::vector<RationalCurve>& cap) {
+    stroke.behind.back() = stroke.curves.size();
+    for (const RationalCurve& arc : cap) {
+      stroke.curves.push_back(arc);
+      stroke.behind.push_back(stroke.curves.size());
+    }
+  };
+  add_cap(offsets.end_cap(own.distance));
+  add(branches_of(back.at(own.distance)));
+  add_cap(back.end_cap(own.distance));
+  stroke.behind.back() = 0;
+  return stroke;
+}
+
+}  // namespace
+
+TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rational& d,
+                             OffsetJoin join) {
+  const GaugeOffsets offsets(path, gauge);
+  if (!offsets.none().empty())
+    throw DomainError(fmt::format(
+        "trimmed_offset: segment {} has no rational offset under this gauge, so that what is left "
+        "is not known",
+        offsets.none().front().segment + 1));
+  const std::vector<RationalCurve> along = curves_of(path);
+  require_no_turning_back(along);
+  TrimmedOffset result{offsets.at(d, join == OffsetJoin::mitre ? join : OffsetJoin::round), {}, {}};
+  const auto& pieces = result.offset.pieces;
+  const OffsetBranches stroke = stroke_of(path, offsets, gauge, result.offset);
+  const GaugeCover cover(along, gauge, d);
+  const MitreKites kites(result.offset, [&](std::size_t k) { return point(along[k], 0); });
+  const auto center_around = [&](std::size_t piece, const Rational& t) {
+    const OffsetPiece& of = pieces[piece];
+    const Vector<Rational> at = point(of.curve, t);
+    return of.is_join ? cover.center_around(at)
+                      : cover.center_around(at, of.segment, double_zero(t));
+  };
+  BoundaryCurves curves{stroke, pieces.size(), {}};
+  curves.centers.resize(stroke.curves.size());
+  curves.covers = [&](const PlaneBox& box) { return cover.covers(box); };
+  curves.is_cut = [&](std::size_t piece, const Rational& t) {
+    return center_around(piece, t) || kites.contain(point(pieces[piece].curve, t));
+  };
+  curves.is_covered = [&](std::size_t piece, const Rational& from, const Rational& to) {
+    const auto center = center_around(piece, (from + to) / 2);
+    return center && cover.is_nearer_along(pieces[piece].curve, from, to, *center);
+  };
+  TrimmedCurves left = trimmed(curves, "trimmed_offset");
+  result.branches = std::move(left.branches);
+  result.undecided = std::move(left.undecided);
+  if (join == OffsetJoin::open) result.branches = without_joins(result);
+  return result;
+}
+
+BranchMeasure measure(const TrimmedOffset& trimmed, const TrimmedBranch& branch) {
+  std::vector<Real> lengths;
+  std::vector<Real> areas;
+  for (const OffsetPart& part : branch.parts) {
+    const RationalCurve& curve = trimmed.offset.pieces[part.piece].curve;
+    const PathLength length{Path(segment_of(curve))};
+    const auto between = [&](const auto& f) { return cached(f(part.to) + -f(part.from)); };
+    lengths.push_back(between([&](const Real& t) { return length.value(Place(0, t)); }));
+    const auto& [x, y, z] = curve.numerator();
+    const SegmentIntegral area{TaylorIntegral(
+        {Rational(1, 2) * (x * differentiate(y) - y * differentiate(x)), pow(curve.weight(), 2)})};
+    areas.push_back(between([&](const Real& t) { return area.value(t); }));
+  }
+  return {sum_of(std::move(lengths)),
+          branch.is_closed ? std::optional(sum_of(std::move(areas))) : std::nullopt};
+}
+
+}  // namespace phrame
