@@ -187,6 +187,23 @@ TEST_CASE(
   });
 }
 
+TEST_CASE("gauge trim: what is nearer to the end of an open path is cut by half of d U about it") {
+  // A hook under the circle, stretched by 2 and 3 with it. Its end is at (2, 1), and the offset of
+  // its first line, y = 3/4, is at that distance from it where x = 2 - sqrt(1/2).
+  const auto line = [](long x, long y, long to_x, long to_y) {
+    return Segment(bezier_curve({{2 * x, 3 * y, 0}, {2 * to_x, 3 * to_y, 0}}));
+  };
+  const Path hook = joined({line(0, 0, 4, 0), line(4, 0, 4, 1), line(4, 1, 2, 1)});
+  const Gauge gauge(ellipse(2, 0, 0, 3));
+  const TrimmedOffset found = trimmed_offset(hook, gauge, Rational(-3, 4));
+  REQUIRE(found.undecided.empty());
+  REQUIRE(found.branches.size() == 1);
+  const std::vector<OffsetPart>& parts = found.branches[0].parts;
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].from.exact() == Rational(0));
+  CHECK(std::abs(value(parts[0].to) - (2 - std::sqrt(0.5)) / 4) < 1e-15);
+}
+
 TEST_CASE("gauge trim: what is refused is named") {
   const Gauge gauge(ellipse(1, 0, 0, 2));
   const auto refusal = [&](const std::vector<Segment>& segments) {
