@@ -94,7 +94,7 @@ class CheckedSide(NamedTuple):
     distance: Tuple[Fraction, Fraction]  #: bounds of the greatest of these
     farthest: CheckedPlace
     stretches: Tuple[CheckedStretch, ...]  #: those that are farthest, at most a hundred
-    count: int  #: how many there are
+    number: int  #: of these
 
 
 class EnvelopeBranch(NamedTuple):

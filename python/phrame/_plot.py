@@ -137,14 +137,15 @@ def outlines(self: Any) -> Any:
 
 
 def _cuts(branches: Any) -> Any:
-    """Where parts end but not at a joint of the path."""
-    return [
+    """Where parts end but not at a joint of the path, once where two do."""
+    points = [
         point
         for branch in branches
         for part in branch.parts
         for t, point in ((part.start, part.start_point), (part.end, part.end_point))
         if not isinstance(t, Fraction) or t.denominator != 1
     ]
+    return list(dict.fromkeys(points))
 
 
 def marks(self: Any) -> Any:

@@ -202,7 +202,7 @@ def _point(point: Any) -> str:
 def offset_check_html(self: Any) -> str:
     """OffsetCheck._repr_html_"""
     rows = [
-        (name, f"{_number(float(side.distance[0]))} … {_number(float(side.distance[1]))} at {_point(side.farthest.point)}, {_count(side.count, 'stretch', 'stretches')}")
+        (name, f"{_number(float(side.distance[0]))} … {_number(float(side.distance[1]))} at {_point(side.farthest.point)}, {_count(side.number, 'stretch', 'stretches')}")
         for name, side in (("missing", self.missing), ("too much", self.too_much))
     ]
     return f"<div><b>{escape(repr(self)[1:-1])}</b>{_table(rows)}</div>"

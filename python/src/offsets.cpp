@@ -380,7 +380,7 @@ void bind_offset_check(nb::module_& m) {
           "missing", [](const C& c) { return checked_side(c.found.missing); },
           nb::sig("def missing(self) -> phrame._offsets.CheckedSide"),
           "From the exact offset to what is given: distance, two bounds, farthest, stretches, "
-          "count.")
+          "number.")
       .def_prop_ro(
           "too_much", [](const C& c) { return checked_side(c.found.excess); },
           nb::sig("def too_much(self) -> phrame._offsets.CheckedSide"),

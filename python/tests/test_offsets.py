@@ -186,11 +186,11 @@ def test_gauges():
 
 def test_a_check():
     good = CUBIC.check_offset(CUBIC.offset("1/2")[0], "1/2", tolerance="1e-9")
-    assert good and good.passes and good.missing.count == 0 and good.missing.distance[1] < 1e-9
+    assert good and good.passes and good.missing.number == 0 and good.missing.distance[1] < 1e-9
     points = CUBIC.offset("1/2")[0].points(np.linspace(0, 1, 20))
     for given in (points, points[:, :2], [points[:, :2]]):
         found = CUBIC.check_offset(given, "1/2", tolerance="1e-6")
-        assert not found and found.is_decided and found.missing.count == len(found.missing.stretches) > 0
+        assert not found and found.is_decided and found.missing.number == len(found.missing.stretches) > 0
         low, high = found.too_much.distance
         assert 0 < low <= high < 2e-3  # of chords of 1/9
     assert repr(found).startswith("<OffsetCheck: not within")
