@@ -32,19 +32,12 @@ inline constexpr double rounding = 0x1p-102;
 inline constexpr double least = 0x1p-1000;  ///< covers underflow
 inline constexpr double least_size = 0x1p-500;
 
-/// |high| ≥ |low|, or high = 0 = low.
-inline DoubleDouble normalized(double high, double low) {
-  const double sum = high + low;
-  return {sum, low - (sum - high)};
-}
-inline DoubleDouble sum(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble s = two_sum(a.high, b.high);
-  return two_sum(s.high, s.low + (a.low + b.low));
-}
+/// The low part at most half an ulp of the high one.
+inline DoubleDouble normalized(const DoubleDouble& x) { return two_sum(x.high, x.low); }
+inline DoubleDouble sum(const DoubleDouble& a, const DoubleDouble& b) { return normalized(a + b); }
 inline DoubleDouble negative(const DoubleDouble& a) { return {-a.high, -a.low}; }
 inline DoubleDouble product(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble p = two_product(split_factor(a.high), split_factor(b.high));
-  return normalized(p.high, p.low + (a.high * b.low + a.low * b.high));
+  return normalized(a * b);
 }
 
 /// Not less than |re + i·im|.
