@@ -100,6 +100,16 @@ Frame<Real> as_real(const Frame<Rational>& frame) {
   return {real(frame.e1), real(frame.e2), real(frame.e3)};
 }
 
+namespace {
+
+/// x.enclose(bits), or the ball that is known already, if that is as narrow.
+RealBall enclosed(const Real& x, long bits) {
+  const RealBall* quick = x.quick();
+  return quick != nullptr && quick->is_accurate(bits) ? *quick : x.enclose(bits);
+}
+
+}  // namespace
+
 Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   if (theta.exact() == Rational(0)) return frame;
   if (const auto quarter = quarter_turns(theta)) return turned_by_quarters(frame, *quarter);
@@ -111,7 +121,7 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
   };
   const auto last = std::make_shared<Turn>();
   const auto turn = [theta, last](long bits) -> const CosSin& {
-    if (last->bits < bits) *last = {bits, cos_sin(theta.enclose(bits), bits)};
+    if (last->bits < bits) *last = {bits, cos_sin(enclosed(theta, bits), bits)};
     return last->value;
   };
   // cos θ·x + sin θ·y.
