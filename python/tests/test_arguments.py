@@ -79,7 +79,7 @@ def test_a_wrong_argument_is_named(name):
             except (phrame.DomainError, phrame.Undecided) as error:
                 assert "\n" not in str(error)
             except OSError:
-                assert name.endswith(("page", "read", "ask"))
+                assert name.endswith(("page", "read", "ask", "envelope"))
             except (phrame.InputError, TypeError) as error:
                 message = f"{name}({argument}={str(wrong)[:30]!r}): {error}"
                 if argument == "text" and isinstance(error, phrame.InputError):

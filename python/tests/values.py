@@ -75,7 +75,9 @@ def same(a, b):
     if isinstance(a, phrame.Real):
         return a.digits(40) == b.digits(40)
     if isinstance(a, np.ndarray):
-        return bool((a == b).all())
+        return a.shape == b.shape and bool((a == b).all())
+    if isinstance(a, dict):
+        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if isinstance(a, (tuple, list)):
         return len(a) == len(b) and all(map(same, a, b))
     if type(a) not in VALUES:
