@@ -1,5 +1,5 @@
-// Both are cubics within a thousandth of the tolerance, or what doubles tell anyway, and of these
-// greatest_gap() tells.
+// Both are cubics within a thousandth of the tolerance, or of |d| where that is less, or what
+// doubles tell anyway, and of these greatest_gap() tells.
 #include "phrame/answer/offset_check.hpp"
 
 #include <algorithm>
@@ -127,7 +127,9 @@ ExactParts exact_parts(const PhPath& path, const OffsetCheckQuery& query, const 
 OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) {
   const auto path = named.path.with_preimages();
   if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
-  const Rational error = std::max(query.tolerance / 1000, abs(query.distance) * power_of_ten(-11));
+  const Rational distance = abs(query.distance);
+  const Rational error =
+      std::max(std::min(query.tolerance, distance) / 1000, distance * power_of_ten(-11));
   const ExactParts exact = exact_parts(*path, query, error);
   CheckedParts given(error);
   std::size_t number = 0;

@@ -246,6 +246,8 @@ TEST_CASE("offset --check: what somebody else has is judged from both sides, wit
     CHECK(off[side]["count"] == 0);
   }
   CHECK(check("off.csv --distance 1/2 --tol 9e-5")["decided"] == true);
+  // A tolerance beyond all that there is does not make the search coarse, nor endless.
+  CHECK(check("off.csv --distance 1/2 --tol 1e400")["passes"] == true);
   // The part from 0.3 to 0.6 has a chord in its place.
   write("gap.csv", 0.5, 0.3, 0.6);
   const Json gap = check("gap.csv --distance 1/2 --tol 1e-5");
