@@ -116,6 +116,15 @@ void bind_transformations(PathClass& path) {
           },
           nb::sig("def reversed(self) -> Path"), "t ↦ r(end − t).")
       .def(
+          "whole_line",
+          [](const PathObject& self) {
+            return wrap(NamedPath{self.named.name, without_gil([path = self.named.path] {
+                                    return whole_line(path);
+                                  })});
+          },
+          nb::sig("def whole_line(self) -> Path"),
+          "All of a rational curve as a closed path: t from −1 to 1, and from 1 through ∞ to −1.")
+      .def(
           "translated",
           [](const PathObject& self, nb::handle v) {
             const auto by = vector(v, "v");

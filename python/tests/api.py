@@ -101,6 +101,7 @@ API = {
     "Path.from_preimage": (phrame.Path.from_preimage, {**LISTS, **CURVE}),
     "Path.segment": (QUINTIC.segment, {"a": 0, "b": 1}),
     "Path.reversed": (QUINTIC.reversed, {}),
+    "Path.whole_line": (CIRCLE.whole_line, {}),
     "Path.translated": (QUINTIC.translated, {"v": [1, 2, 3]}),
     "Path.scaled": (QUINTIC.scaled, {"c": 1}),
     "Path.rotated": (QUINTIC.rotated, {"u": [1, 2, 3, 4]}),

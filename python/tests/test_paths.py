@@ -270,3 +270,15 @@ def test_a_rational_multiplier():
     assert path.point(0) == (0, 0, 0) and path.length == Fraction(29, 4320)
     with pytest.raises(phrame.DomainError, match="x has a logarithm: its residues at the roots of t \\+ 2 are not 0"):
         phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=phrame.RationalFunction([1], [16, 32, 24, 8, 1]))
+
+
+def test_a_whole_curve_through_infinity():
+    """A quarter is a part of its circle; holonomy by parallel transport elsewhere (tests/ph/curve/whole_line_test.cpp)."""
+    circle = CONIC.whole_line()
+    assert circle.end == 2 and circle.is_closed and abs(float(circle.length) - 2 * np.pi) < 1e-15
+    assert circle.segments[1].point("1/2") == (-1, 0, 0)
+    f = phrame.RationalFunction([1], [1, 0, 3, 0, 3, 0, 1])
+    whole = phrame.Path.from_preimage([1], [-1, -1, 1], [-1, 1], [0, 1, -1], multiplier=f).whole_line()
+    assert whole.kind == "rational" and abs(float(whole.angle().holonomy) - 2.48851339537653) < 1e-12
+    with pytest.raises(phrame.DomainError, match="whole line: the curve is polynomial"):
+        QUINTIC.whole_line()

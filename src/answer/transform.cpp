@@ -70,6 +70,13 @@ std::optional<FrameThrough> turned(const FrameThrough& frame, const AffineMap& m
 }  // namespace
 
 std::vector<NamedPath> answer(const NamedPath& named, const TransformQuery& query) {
+  if (query.is_whole_line) {
+    TransformQuery rest = query;
+    rest.is_whole_line = false;
+    std::vector<NamedPath> parts = answer(NamedPath(named.name, whole_line(named.path)), rest);
+    if (named.frame) parts.front().notes.emplace_back("the orientations are left out");
+    return parts;
+  }
   Cuts cuts(named, query.by);
   const std::vector<Rational> ends = ends_of_parts(cuts, named.path, query);
   const bool is_whole = !query.part && query.split.empty();

@@ -8,8 +8,10 @@
 
 namespace phrame::inline v0 {
 
-/// Asks for parts of a path, for the path the other way round and in another place: in this order.
+/// Asks for all of a rational curve, for parts of a path, for the path the other way round and in
+/// another place: in this order.
 struct TransformQuery {
+  bool is_whole_line = false;           ///< first of all, all of a rational curve, whole_line()?
   ParameterKind by = ParameterKind::t;  ///< what the next two are values of
   std::vector<Rational> split = {};     ///< ascending: where it is cut
   /// From the one to the other, instead of all of it; backwards where that is before it.
@@ -21,7 +23,7 @@ struct TransformQuery {
 /// The parts, one where nothing is cut, with what is to be said of them in their notes. A cut at an
 /// irrational t is at the multiple of 2^−64 next to it. Orientations that come with the path are
 /// turned by a similarity; else they are left out. Throws DomainError for a cut that is not inside
-/// the path, not behind the one before, and as segment() and transformed().
+/// the path, not behind the one before, and as whole_line(), segment() and transformed().
 PHRAME_API std::vector<NamedPath> answer(const NamedPath& named, const TransformQuery& query);
 
 }  // namespace phrame

@@ -10,6 +10,7 @@ namespace {
 
 struct TransformOptions {
   CurveOptions curve;
+  bool is_whole_line = false;
   std::vector<std::string> split;
   std::optional<std::string> part;
   std::string by = "t";
@@ -57,6 +58,7 @@ AffineMap asked_map(const TransformOptions& options) {
 
 TransformQuery query(const TransformOptions& options) {
   TransformQuery query;
+  query.is_whole_line = options.is_whole_line;
   query.by = choose("--by", options.by, parameter_kinds());
   query.split = parse_list_option("--split", options.split);
   if (options.part) {
@@ -88,6 +90,9 @@ void add_transform(Program& program) {
   const auto options = std::make_shared<TransformOptions>();
   options->curve.add_to(command);
   command.writes("a curve in JSON", {"json", "jsonl"});
+  command.add_flag(
+      "--whole-line", options->is_whole_line,
+      "all of a rational curve, closed through t = infinity: from -1 to 1 and on to -1");
   command.add_option("--part", "FROM,TO", options->part,
                      "from there to there; backwards where FROM is behind TO");
   command.add_list("--split", "T,...", options->split,
@@ -101,15 +106,18 @@ void add_transform(Program& program) {
                      "under a matrix, by rows: 9 numbers, 12 with a column that is added, or 16");
   command.add_option("--move", "X,Y,Z", options->move, "moved by this");
   command.not_with({"--part"}, {"--split"});
+  command.not_with({"--whole-line"}, {"--part", "--split"});
   command.only_with({"--by"}, {"--part", "--split"});
   command.set_notes(
-      "What is asked for is done in this order: --part or --split, --reverse, --scale, --rotate,\n"
-      "--matrix, --move; the command may read what it wrote. Every kind of segment is exact, and\n"
+      "What is asked for is done in this order: --whole-line, --part or --split, --reverse, "
+      "--scale,\n"
+      "--rotate, --matrix, --move; the command may read what it wrote. All kinds are exact, and\n"
       "what is Pythagorean-hodograph stays so under rotations, scalings and reflections. Without\n"
       "options it writes a curve of any format as phrame has it.\n"
       "Examples:\n"
       "  phrame transform curve.json --part 1/4,3/4 -o middle.json\n"
       "  phrame transform spline.json --split 1/3,2/3 --by fraction -o thirds.jsonl\n"
+      "  phrame transform arc.json --whole-line -o circle.json\n"
       "  phrame transform drawing.svg --scale 1/100 --matrix 1,0,0,0,-1,0,0,0,1 -o upright.json\n"
       "  phrame transform curve.json --rotate z,90deg --move 1,0,0");
   command.does(options, run);

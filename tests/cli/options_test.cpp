@@ -75,6 +75,7 @@ const std::vector<std::string> calls{
     "offset corner.json --distance 1/2 --check corner.json --tol 1",
     "envelope axis.json --trim",
     "transform spline.json",
+    "transform oval.json --whole-line",
     "compile plane.json",
     "compile spline.json",
     "check quintic.json frames.csv",

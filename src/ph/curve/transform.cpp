@@ -8,6 +8,8 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/power_series.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -100,6 +102,54 @@ Path mapped(const Path& path, const F& f, const Matrix& m, const Vector<Rational
   return Path::of_continuous(std::move(segments), path.corners());
 }
 
+// ---- all of a rational curve
+
+/// Dⁿ·p(1/D), D = 1 − 2s, n ≥ deg p.
+Polynomial through_infinity(const Polynomial& p, long n) {
+  return compose(reversed(p, n + 1), Polynomial{1, -2});
+}
+Vector<Polynomial> through_infinity(const Vector<Polynomial>& r, long n) {
+  return {through_infinity(r[0], n), through_infinity(r[1], n), through_infinity(r[2], n)};
+}
+
+Segment second_half(const RationalCurve& curve) {
+  const long n = curve.weight().degree();
+  return RationalCurve(through_infinity(curve.numerator(), n), through_infinity(curve.weight(), n));
+}
+Segment second_half(const Curve& curve) {
+  const long n = curve.weight().degree();
+  const long m = preimage_degree(curve);
+  const auto& [u, v, p, q] = curve.preimage();
+  return PhSegment(
+      Curve::quotient({through_infinity(u, m), through_infinity(v, m), through_infinity(p, m),
+                       through_infinity(q, m)},
+                      Rational(2) * through_infinity(curve.multiplier(), 2 * n - 2 - 2 * m),
+                      through_infinity(numerator(curve), n), through_infinity(curve.weight(), n)));
+}
+
+void require_finite(const RationalCurve& curve) {
+  const Polynomial& weight = curve.weight();
+  if (weight.is_constant())
+    throw DomainError(
+        "whole line: the curve is polynomial: it goes to infinity and does not come back");
+  const auto poles = real_roots(weight, Interval{});
+  if (!poles.empty())
+    throw DomainError("whole line: the curve goes to infinity at " +
+                      place_text("t", poles.front().at));
+  if (degree(curve) > weight.degree())
+    throw DomainError(
+        fmt::format("whole line: the curve goes to infinity at t = infinity: degree {} over a "
+                    "weight of degree {}",
+                    degree(curve), weight.degree()));
+}
+
+/// The same with X and W in lowest terms, for which A and f are found anew where they were not.
+Curve in_lowest_terms(const PhSegment& ph) {
+  const RationalCurve& r = ph.by_positions();
+  if (r.weight().degree() == ph.curve().weight().degree()) return ph.curve();
+  return std::get<Curve>(identify(r));
+}
+
 Matrix diagonal(const Rational& c) {
   return {Vector<Rational>{c, 0, 0}, Vector<Rational>{0, c, 0}, Vector<Rational>{0, 0, c}};
 }
@@ -176,6 +226,20 @@ Path segment(const Path& path, const Rational& a, const Rational& b) {
 }
 
 Path reversed(const Path& path) { return segment(path, path.end(), 0); }
+
+Path whole_line(const Path& path) {
+  if (path.segments().size() != 1)
+    throw DomainError(fmt::format("whole line: a path of {} curves is not one for all t",
+                                  path.segments().size()));
+  const RationalCurve* curve = rational_curve(path.segments().front());
+  if (curve == nullptr)
+    throw DomainError("whole line: a curve by formulas is on its interval alone");
+  require_finite(*curve);
+  const auto* ph = std::get_if<PhSegment>(&path.segments().front());
+  if (ph == nullptr) return joined({part(*curve, -1, 1), second_half(*curve)});
+  const Curve reduced = in_lowest_terms(*ph);
+  return joined({PhSegment(segment(reduced, -1, 1)), second_half(reduced)});
+}
 
 Path translated(const Path& path, const Vector<Rational>& v) {
   return mapped(

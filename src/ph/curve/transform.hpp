@@ -32,6 +32,18 @@ PHRAME_API Path scaled(const Path& path, const Rational& c);
 PHRAME_API Path rotated(const Path& path, const RationalQuaternion& u);
 /// @}
 
+/// All of a rational curve r = X/W, t ∈ ℝ ∪ {∞}, as a closed path of two segments:
+///   t = 2s − 1, from −1 to 1, and t = 1/(1 − 2s), from 1 through ∞ back to −1,
+/// s ∈ [0, 1]. Both have the derivative 2 where they meet, so that r′ is continuous there. With
+/// n = deg W and D = 1 − 2s the second is Dⁿ·X(1/D) over Dⁿ·W(1/D), and of a PH curve, deg A = m,
+///   A ↦ Dᵐ·A(1/D), f ↦ 2·D²ⁿ⁻²⁻²ᵐ·f(1/D):
+/// it is PH, and its Euler–Rodrigues frame goes on, also at the end, where (−1)ᵐ·A(−1) is for
+/// A(−1). As 2n − 2 − 2m is even, f has an even number of changes of sign, and the path is closed;
+/// others may have an odd number of cusps at which they turn back. Throws DomainError for several
+/// segments, formulas and polynomial curves, and where a point is at infinity: W has a real zero, or
+/// deg X > deg W. Cost: the real roots of W.
+PHRAME_API Path whole_line(const Path& path);
+
 /// r ↦ M·r + v.
 struct PHRAME_API AffineMap {
   /// The columns of M.
