@@ -279,6 +279,6 @@ def test_a_whole_curve_through_infinity():
     assert circle.segments[1].point("1/2") == (-1, 0, 0)
     f = phrame.RationalFunction([1], [1, 0, 3, 0, 3, 0, 1])
     whole = phrame.Path.from_preimage([1], [-1, -1, 1], [-1, 1], [0, 1, -1], multiplier=f).whole_line()
-    assert whole.kind == "rational" and abs(float(whole.angle().holonomy) - 2.48851339537653) < 1e-12
+    assert whole.kind == "rational" and abs(float(whole.holonomy) - 2.48851339537653) < 1e-12
     with pytest.raises(phrame.DomainError, match="whole line: the curve is polynomial"):
         QUINTIC.whole_line()
