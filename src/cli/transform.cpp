@@ -109,9 +109,8 @@ void add_transform(Program& program) {
   command.not_with({"--whole-line"}, {"--part", "--split"});
   command.only_with({"--by"}, {"--part", "--split"});
   command.set_notes(
-      "What is asked for is done in this order: --whole-line, --part or --split, --reverse, "
-      "--scale,\n"
-      "--rotate, --matrix, --move; the command may read what it wrote. All kinds are exact, and\n"
+      "It is done in this order: --whole-line, --part or --split, --reverse, --scale, --rotate,\n"
+      "--matrix, --move; the command may read what it wrote. Every kind of segment is exact, and\n"
       "what is Pythagorean-hodograph stays so under rotations, scalings and reflections. Without\n"
       "options it writes a curve of any format as phrame has it.\n"
       "Examples:\n"

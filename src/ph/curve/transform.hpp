@@ -40,8 +40,8 @@ PHRAME_API Path rotated(const Path& path, const RationalQuaternion& u);
 /// it is PH, and its Euler–Rodrigues frame goes on, also at the end, where (−1)ᵐ·A(−1) is for
 /// A(−1). As 2n − 2 − 2m is even, f has an even number of changes of sign, and the path is closed;
 /// others may have an odd number of cusps at which they turn back. Throws DomainError for several
-/// segments, formulas and polynomial curves, and where a point is at infinity: W has a real zero, or
-/// deg X > deg W. Cost: the real roots of W.
+/// segments, formulas and polynomial curves, and where a point is at infinity: W has a real zero,
+/// or deg X > deg W. Cost: the real roots of W.
 PHRAME_API Path whole_line(const Path& path);
 
 /// r ↦ M·r + v.
