@@ -65,7 +65,9 @@ MinimalTwistAnswer found(const Command& command, const MtfOptions& options,
   MinimalTwistAnswer found = answer(named, query);
   if (!options.is_exact_only)
     found.why_not_rational =
-        path.is_ph() ? "--up is of the exact frame" : "the curve is not Pythagorean-hodograph";
+        path.is_ph()     ? "--up is of the exact frame"
+        : path.has_erf() ? "it is of polynomial Pythagorean-hodograph curves, not of rational ones"
+                         : "the curve is not Pythagorean-hodograph";
   return found;
 }
 

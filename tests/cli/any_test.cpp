@@ -148,6 +148,12 @@ TEST_CASE("any curve: frames of minimal twist, the exact ones") {
   CHECK(contains(text.out, "The minimal twist frame is the frame of v = (5, −9, 11) turned by θ"));
   CHECK(contains(text.out, "\n  length S                         ≈ 8.24952510079\n"));
   CHECK(contains(text.out, "\nNo rational frame: the curve is not Pythagorean-hodograph\n"));
+  here.write("arc.json",
+             R"({"phrame": "curve/1", "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]],
+                             "weights": [1, 1, 2]})");
+  REQUIRE(here.run("transform arc.json --whole-line -o circle.json").status == 0);
+  CHECK(contains(here.run("mtf circle.json --closed").out,
+                 "\nNo rational frame: it is of polynomial Pythagorean-hodograph curves"));
   const auto json = Json::parse(
       here.run("mtf loop.json --digits 12 --at 1/2 --exact-only --print json" + ends).out);
   CHECK(json["phrame"] == "mtf/1");
