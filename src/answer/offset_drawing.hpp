@@ -18,7 +18,9 @@ struct OffsetDrawing {
   std::vector<OffsetCubics> paths;  ///< in their order
   Rational tolerance;               ///< each is within that of the offset, which is proved
 };
-/// Within 10⁻⁶ of the least distance, or of the greatest radius.
+/// 10⁻⁶ of the least distance.
+Rational drawing_tolerance(const OffsetAnswer& answer);
+/// Within that, or 10⁻⁶ of the greatest radius.
 OffsetDrawing drawing(const OffsetAnswer& answer);
 OffsetDrawing drawing(const EnvelopeAnswer& answer);
 

@@ -3,6 +3,7 @@
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/nurbs.hpp"
+#include "phrame/io/write/offset_page.hpp"
 #include "phrame/io/write/svg.hpp"
 
 namespace phrame::inline v0::cli {
@@ -29,10 +30,11 @@ class BoundaryPrinter {
     const bool is_curve = print_ == as_curves_ || print_ == as_nurbs;
     if (!file.empty()) {
       const std::string end = ending(file);
-      write_output(file, end == "svg"   ? write_svg(drawing(answer))
-                         : end == "dxf" ? write_dxf(nurbs(answer))
-                         : is_curve     ? print_(answer)
-                                        : as_curves_(answer));
+      write_output(file, end == "svg"                    ? write_svg(drawing(answer))
+                         : end == "dxf"                  ? write_dxf(nurbs(answer))
+                         : end == "html" || end == "htm" ? to_page(answer)
+                         : is_curve                      ? print_(answer)
+                                                         : as_curves_(answer));
     }
     if (file.empty() || !is_curve) length.write("-", print_(answer));
   }

@@ -41,8 +41,9 @@ void add_envelope(Program& program) {
   command.add_option("-o,--output", "FILE", options->output,
                      "write the envelope to this file, beside the report: a curve file, several\n"
                      "paths a line each; as .dxf a spline for each; as .svg by cubics within\n"
-                     "1/1000000 of the greatest radius, proved");
-  command.writes("a curve in JSON, DXF or SVG there", {"json", "jsonl", "dxf", "svg"});
+                     "1/1000000 of the greatest radius, proved; as .html a page for a browser");
+  command.writes("a curve in JSON, DXF or SVG there, or a page",
+                 {"json", "jsonl", "dxf", "svg", "html", "htm"});
   command.add_format(
       "--print", options->print, {"text", "json", "latex", "curve", "nurbs"},
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"

@@ -177,8 +177,10 @@ void add_offset(Program& program) {
       "-o,--output", "FILE", options->output,
       "write the offset to this file, beside the report: a curve file, several paths\n"
       "a line each; as .dxf a spline for each; as .svg by cubics within |d|/1000000,\n"
-      "proved");
-  command.writes("a curve in JSON, DXF or SVG there", {"json", "jsonl", "dxf", "svg"});
+      "proved; as .html a page for a browser: path, offsets, marks at cusps, meetings\n"
+      "and cuts, lengths, the report");
+  command.writes("a curve in JSON, DXF or SVG there, or a page",
+                 {"json", "jsonl", "dxf", "svg", "html", "htm"});
   command.add_format(
       "--print", options->print, {"text", "json", "latex", "curve", "nurbs"},
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"

@@ -49,6 +49,11 @@ TEST_CASE("envelope: the boundary of a rectangle is its sides, from corner to co
   CHECK(area == 8);
   check_success(here.run("envelope axis.json --trim -o box.svg"));
   CHECK(contains(bytes_of(here.file("box.svg")), "<path id=\"envelope-1\""));
+  check_success(here.run("envelope axis.json --trim -o box.html"));
+  const std::string page = bytes_of(here.file("box.html"));
+  CHECK(contains(page, "<title>rectangle</title>"));
+  CHECK(contains(page, "class=\"offset layer-0\""));
+  CHECK(contains(page, "<td>joint</td>"));
   check_success(here.run("envelope axis.json -o all.dxf"));
   CHECK(contains(bytes_of(here.file("all.dxf")), "\nenvelope-5\n"));
 }

@@ -214,6 +214,105 @@ TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {
   CHECK(contains(here.run("info in.svg --pick offset-2").out, "closed"));
 }
 
+namespace {
+
+/// What a page has between two texts.
+std::string between(const std::string& page, const std::string& before, const std::string& behind) {
+  const std::size_t start = page.find(before) + before.size();
+  return page.substr(start, page.find(behind, start) - start);
+}
+
+std::ptrdiff_t count_of(const std::string& page, const std::string& what) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1))
+    ++count;
+  return count;
+}
+
+Json layers_of(const std::string& page) {
+  return Json::parse(between(page, "id=\"data\">", "</script>"));
+}
+
+double number(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  std::string text = json.get<std::string>();
+  if (text.starts_with("−")) text = "-" + text.substr(std::string("−").size());
+  return std::stod(text);
+}
+
+}  // namespace
+
+TEST_CASE("offset: as a page, with marks, points along it, measures and the report") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const Run run = here.run("offset turn.json --distance -1,1/2 -o off.html");
+  check_success(run);
+  const std::string page = bytes_of(here.file("off.html"));
+  for (const char* other : {"http://", "https://", "src=", "href", "url(", "import", "fetch"})
+    CHECK_MESSAGE(!contains(page, other), other);
+  CHECK(contains(page, "default-src 'none'"));
+  CHECK(between(page, "<pre id=\"report\">", "</pre>") == run.out);
+  // The cusp is at t = √(√2 − 1), in (t − t³/3 − 2t/(1 + t²), t² + (1 − t²)/(1 + t²)).
+  CHECK(count_of(page, "class=\"mark\"") == 1);
+  CHECK(count_of(page, "<circle r=\"5\"/>") == 1);
+  CHECK(contains(page, "<title>d = −1, cusp: t = 0.643594252905…, (−0.35544"));
+  CHECK(contains(page, "<td>1/2</td><td>all of it</td><td>4/3 + π/4 ≈ 2.1187314967307816</td>"));
+  const Json layers = layers_of(page);
+  REQUIRE(layers.size() == 2);
+  CHECK(layers[0]["label"] == "d = −1");
+  std::optional<double> scale;
+  for (const Json& layer : layers) {
+    const double d = layer["label"] == "d = −1" ? -1 : 0.5;
+    CHECK(layer["samples"].size() == 201);
+    for (const Json& sample : layer["samples"]) {
+      const double t = static_cast<double>(parse_rational(sample[0].get<std::string>()));
+      const double s = 1 + t * t;
+      CHECK(std::abs(number(sample[1]) - (t - t * t * t / 3 + d * 2 * t / s)) < 1e-11);
+      CHECK(std::abs(number(sample[2]) - (t * t + d * (t * t - 1) / s)) < 1e-11);
+      // Drawn from the point of the path on, y upwards.
+      if (!scale) scale = std::abs(number(sample[4]) - number(sample[6]));
+      CHECK(number(sample[3]) - number(sample[5]) == doctest::Approx(*scale * d * 2 * t / s));
+      CHECK(number(sample[6]) - number(sample[4]) ==
+            doctest::Approx(*scale * d * (t * t - 1) / s).epsilon(1e-4));
+    }
+  }
+  here.write("two.json", R"({"phrame": "curve/1", "basis": "bernstein", "preimage":
+      {"u": [-4, 6, -6], "v": [0, 0, 0], "p": [0, 0, 0], "q": [1, "15/14", -6]}})");
+  check_success(here.run("offset two.json --distance 33/25 -o two.html"));
+  const std::string two = bytes_of(here.file("two.html"));
+  CHECK(count_of(two, "<circle r=\"5\"/>") == 2);
+  CHECK(count_of(two, "meets itself: t = ") == 3);
+}
+
+TEST_CASE("offset: as a page, trimmed: what is left, what is cut away, and cuts") {
+  const Workshop here;
+  here.write("triangle.json", R"({"phrame": "spline/1", "name": "a<b", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  check_success(here.run("offset triangle.json --distance -1/2,-3 --trim -o in.html"));
+  const std::string page = bytes_of(here.file("in.html"));
+  CHECK(contains(page, "<title>a&lt;b</title>"));
+  CHECK(count_of(page, "<rect x=") == 3);
+  CHECK(contains(page, "d = −1/2, cut: t = 7/8 and t = 7/6, (3.5"));
+  CHECK(count_of(page, "class=\"offset layer-0\"") == 1);
+  CHECK(count_of(page, "class=\"whole layer-0\"") == 3);
+  CHECK(count_of(page, "class=\"offset layer-1\"") == 0);
+  CHECK(contains(page, "<td>−1/2</td><td>branch 1</td><td>6</td><td>3/2</td>"));
+  CHECK(contains(page, "<td>−3</td><td>nothing is left</td>"));
+  const Json layers = layers_of(page);
+  REQUIRE(layers.size() == 2);
+  CHECK(layers[1]["samples"].empty());
+  // A triangle half as large, 1/2 from all sides, at t from 3/8 to 7/8, 7/6 to 5/3, 11/5 to 27/10.
+  std::size_t left = 0;
+  for (long k = 0; k <= 300; ++k)
+    left += (k > 37 && k < 88) || (k > 116 && k < 167) || (k > 220 && k < 270) ? 1 : 0;
+  CHECK(layers[0]["samples"].size() == left);
+  for (const Json& sample : layers[0]["samples"]) {
+    const double x = number(sample[1]), y = number(sample[2]);
+    CHECK(std::min({y, 4 - x, (3 * x - 4 * y) / 5}) == doctest::Approx(0.5));
+  }
+}
+
 TEST_CASE("offset --check: what somebody else has is judged from both sides, with proof") {
   const Workshop here;
   here.write("turn.json", turn);

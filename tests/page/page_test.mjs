@@ -21,8 +21,13 @@ const browser = await chromium.launch({
 
 /** The page of a curve, opened from its file; it must neither complain nor ask for anything. */
 async function open(curve, options = [], view = {}) {
+  return openBy(['page', curve, ...options], view);
+}
+
+/** The page that a command writes. */
+async function openBy(words, view = {}) {
   const file = join(folder, 'page.html');
-  run('page', curve, '-o', file, ...options);
+  run(...words, '-o', file);
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 },
     acceptDownloads: true,
@@ -419,6 +424,52 @@ const tests = {
     assert.equal(await page.getAttribute('html', 'data-theme'), 'dark');
     await page.pdf({ path: join(pictures, 'quintic.pdf'), format: 'A4', printBackground: true });
     await close();
+  },
+
+  async 'offsets: marks, points next to the pointer, what is cut away, and a view that moves'() {
+    const words = ['offset', join(curves, 'curves', 'plane-cubic.json'), '--distance', '-1,1/2'];
+    const { page, complaints, close } = await openBy(words);
+    const told = () => page.textContent('#at');
+    const hint = await told();
+    const cusp = page.locator('#drawing .mark');
+    assert.equal(await cusp.count(), 1);
+    await cusp.hover();
+    assert.match(await told(), /^d = −1, cusp: t = 0\.643594252905…, /);
+    // The point at t = 1/2 with d = 1/2, (1/2 − 1/24 + 2/5, 1/4 − 3/10), where the page draws it.
+    const [t, x, y, px, py] = await page.evaluate(() => layers[1].samples[100]);
+    assert.equal(t, '1/2');
+    assert.deepEqual([x, y], ['0.858333333333', '−0.0500000000000']);
+    const spot = await page.evaluate(([px, py]) => {
+      const at = new DOMPoint(px, py).matrixTransform(svg.getScreenCTM());
+      return [at.x, at.y];
+    }, [px, py]);
+    await page.mouse.move(...spot);
+    assert.equal(await told(), `d = 1/2, t = 1/2: (${x}, ${y})`);
+    await page.screenshot({ path: join(pictures, 'offsets.png'), fullPage: true });
+    const view = () => page.getAttribute('#drawing', 'viewBox');
+    const before = await view();
+    await page.mouse.wheel(0, -200);
+    await page.waitForFunction((before) => svg.getAttribute('viewBox') !== before, before);
+    await page.mouse.down();
+    await page.mouse.move(spot[0] + 40, spot[1]);
+    await page.mouse.up();
+    await page.locator('#all').click();
+    assert.equal(await view(), before);
+    await page.locator('#show-0').uncheck();
+    assert.equal(await cusp.isVisible(), false);
+    await page.locator('#marks tbody tr').click();
+    assert.match(await told(), /cusp/);
+    await page.locator('#drawing').press('Escape');
+    assert.equal(await told(), hint);
+    assert.deepEqual(complaints, []);
+    await close();
+    const trimmed = await openBy([...words, '--trim'], { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+    assert.equal(await trimmed.page.evaluate(() => document.documentElement.scrollWidth), 390);
+    await trimmed.page.locator('#show-whole').uncheck();
+    assert.equal(await trimmed.page.locator('.whole').first().isVisible(), false);
+    await trimmed.page.screenshot({ path: join(pictures, 'offsets-trimmed.png'), fullPage: true });
+    assert.deepEqual(trimmed.complaints, []);
+    await trimmed.close();
   },
 
   async 'on a telephone, in the dark, nothing is wider than the screen'() {

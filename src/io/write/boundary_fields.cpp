@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/io/write/closed_form.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/heading.hpp"
 
@@ -32,6 +33,19 @@ std::string point_in_words(const std::array<Decimal, 2>& point, Notation notatio
 
 JsonOutput json_of(const BoundaryEnd& end) {
   return {{"t", json_of(end.t, end.rounded)}, {"point", {json_of(end.at[0]), json_of(end.at[1])}}};
+}
+
+std::string in_words(const OffsetAnswer::Place& place, Notation notation) {
+  return (place.is_join ? "the join at " : "") + at(place.t.value, notation);
+}
+
+std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
+  const std::string digits = in_words(x.rounded, notation);
+  if (!x.exact) return digits;
+  const std::string exact =
+      formula(formatted_sum(formatted_terms(*x.exact, notation), " ", notation), notation);
+  if (is_rational(*x.exact) || notation == Notation::latex) return exact;
+  return exact + " ≈ " + digits;
 }
 
 std::string write_named(const std::string& name, const std::vector<Path>& paths) {

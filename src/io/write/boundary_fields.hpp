@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/answer/boundary_end.hpp"
+#include "phrame/answer/offset.hpp"
 #include "phrame/io/write/field.hpp"
 #include "phrame/ph/curve/path.hpp"
 
@@ -21,6 +22,10 @@ std::string in_words(const BoundaryEnd& end, const std::string& before, Notation
 /// "(1.5, 2)".
 std::string point_in_words(const std::array<Decimal, 2>& point, Notation notation);
 JsonOutput json_of(const BoundaryEnd& end);
+/// "t = 1/2", or "the join at t = 1/2".
+std::string in_words(const OffsetAnswer::Place& place, Notation notation);
+/// "17/3 + 2π ≈ 11.9", or the digits alone.
+std::string in_words(const OffsetAnswer::Measure& x, Notation notation);
 /// As curve files, each with that name.
 std::string write_named(const std::string& name, const std::vector<Path>& paths);
 

@@ -16,16 +16,6 @@ namespace {
 
 using Part = OffsetAnswer::Part;
 
-/// "17/3 + 2π ≈ 11.9", or the digits alone.
-std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
-  const std::string digits = in_words(x.rounded, notation);
-  if (!x.exact) return digits;
-  const std::string exact =
-      formula(formatted_sum(formatted_terms(*x.exact, notation), " ", notation), notation);
-  if (is_rational(*x.exact) || notation == Notation::latex) return exact;
-  return exact + " ≈ " + digits;
-}
-
 JsonOutput json_of(const OffsetAnswer::Measure& x) {
   JsonOutput json = json_of(x.rounded);
   if (x.exact) json["exact"] = cas_formula(*x.exact, Language::plain);
@@ -52,10 +42,6 @@ Value cusps_value(const Part& part) {
             {"point", {json_of(cusp.at[0]), json_of(cusp.at[1])}}};
   };
   return {Value::Rows(rows), [&part, json] { return array_of(part.cusps, json); }};
-}
-
-std::string in_words(const OffsetAnswer::Place& place, Notation notation) {
-  return (place.is_join ? "the join at " : "") + at(place.t.value, notation);
 }
 
 JsonOutput json_of(const OffsetAnswer::Place& place) {

@@ -29,20 +29,24 @@ std::string svg_point(const std::array<Rational, 2>& point) {
 
 }  // namespace
 
+std::string path_data(const OffsetCubics& path) {
+  std::string data = "M" + svg_point(path.cubics.front().front());
+  for (const PlaneCubic& cubic : path.cubics)
+    data +=
+        fmt::format(" C{} {} {}", svg_point(cubic[1]), svg_point(cubic[2]), svg_point(cubic[3]));
+  return path.is_closed ? data + " Z" : data;
+}
+
 std::string write_svg(const OffsetDrawing& drawing) {
   std::array<std::vector<double>, 2> extent;
   std::string paths;
   std::size_t number = 0;
   for (const OffsetCubics& path : drawing.paths) {
-    paths += fmt::format("    <path id=\"{}-{}\" d=\"M{}", drawing.question, ++number,
-                         svg_point(path.cubics.front().front()));
-    for (const PlaneCubic& cubic : path.cubics) {
-      paths +=
-          fmt::format(" C{} {} {}", svg_point(cubic[1]), svg_point(cubic[2]), svg_point(cubic[3]));
+    paths += fmt::format("    <path id=\"{}-{}\" d=\"{}\"/>\n", drawing.question, ++number,
+                         path_data(path));
+    for (const PlaneCubic& cubic : path.cubics)
       for (const auto& point : cubic)
         for (std::size_t k = 0; k < 2; ++k) extent[k].push_back(static_cast<double>(point[k]));
-    }
-    paths += path.is_closed ? " Z\"/>\n" : "\"/>\n";
   }
   std::array<double, 4> view{0, 0, 1, 1};
   for (std::size_t k = 0; k < 2 && !extent[k].empty(); ++k) {
