@@ -16,7 +16,7 @@ namespace {
 
 using namespace phrame;
 
-constexpr int repetitions = 4;
+constexpr int repetitions = 2;
 
 }  // namespace
 
