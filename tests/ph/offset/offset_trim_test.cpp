@@ -354,6 +354,12 @@ TEST_CASE("offset_trim: law: areas and lengths are those of polygons through poi
     const TrimmedOffset found =
         trimmed_offset(path, Rational(random.integer(0, 1) == 0 ? -5 : 5, random.integer(1, 4)));
     for (const TrimmedBranch& branch : found.branches) {
+      // Next to a near-cusp parts are so short that doubles do not tell their parameters.
+      constexpr double shortest = 1e-6;
+      if (std::ranges::any_of(branch.parts, [](const auto& part) {
+            return std::abs(approximate(part.to) - approximate(part.from)) < shortest;
+          }))
+        continue;
       double length = 0;
       double area = 0;
       for (const auto& [piece, from, to] : branch.parts) {
