@@ -95,18 +95,8 @@ void bind_envelope(nb::module_& m) {
       m, "Envelope",
       "An envelope of discs, a sequence of the paths that it is: docs/minkowski.md.");
   using E = EnvelopeObject;
-  type.def("__len__", [](const E& e) { return e.paths.size(); })
-      .def(
-          "__getitem__",
-          [](const E& e, nb::handle k) { return nb::object(e.paths.attr("__getitem__")(k)); },
-          argument("k"), PHRAME_ITEM_SIG)
-      .def(
-          "__iter__", [](const E& e) { return nb::iter(e.paths); },
-          nb::sig("def __iter__(self) -> collections.abc.Iterator[Path]"))
-      .def_prop_ro(
-          "paths", [](const E& e) { return e.paths; },
-          nb::sig("def paths(self) -> tuple[Path, ...]"), "It, in as few paths as possible.")
-      .def_prop_ro("segments", envelope_segments,
+  bind_paths(type);
+  type.def_prop_ro("segments", envelope_segments,
                    nb::sig("def segments(self) -> tuple[phrame._offsets.EnvelopeSegment, ...]"),
                    "Of the curves with radii: degree, preimage, multiplier, null_factors, sigma, "
                    "lightlike, right, left.")
@@ -132,8 +122,6 @@ void bind_envelope(nb::module_& m) {
                (e.found.is_trimmed ? (parts == 1 ? " loop>" : " loops>")
                                    : (parts == 1 ? " path>" : " paths>"));
       });
-  bind_python(type, "outlines", "phrame._plot", "outlines", PHRAME_OUTLINES_SIG,
-              "Points of each path, (n, 2), as dense as a picture needs them.");
   bind_python(type, "plot", "phrame._plot", "envelope",
               "def plot(self, *, ax: typing.Any = None, **style: typing.Any) -> typing.Any",
               "It, by Matplotlib; the axes.");

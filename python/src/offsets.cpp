@@ -287,20 +287,10 @@ void bind_offset(nb::module_& m) {
       m, "Offset",
       "An offset of a plane path, a sequence of the paths that it is: docs/offsets.md.");
   using O = OffsetObject;
-  type.def("__len__", [](const O& o) { return o.paths.size(); })
-      .def(
-          "__getitem__",
-          [](const O& o, nb::handle k) { return nb::object(o.paths.attr("__getitem__")(k)); },
-          argument("k"), PHRAME_ITEM_SIG)
-      .def(
-          "__iter__", [](const O& o) { return nb::iter(o.paths); },
-          nb::sig("def __iter__(self) -> collections.abc.Iterator[Path]"))
-      .def_prop_ro(
+  bind_paths(type);
+  type.def_prop_ro(
           "path", [](const O& o) { return wrap(o.path); }, nb::sig("def path(self) -> Path"),
           "That it is the offset of.")
-      .def_prop_ro(
-          "paths", [](const O& o) { return o.paths; },
-          nb::sig("def paths(self) -> tuple[Path, ...]"), "It, in as few paths as possible.")
       .def_prop_ro(
           "distance", [](const O& o) { return to_python(o.query.distances.front()); },
           nb::sig("def distance(self) -> fractions.Fraction"), "d, > 0 to the right of travel.")
@@ -346,8 +336,6 @@ void bind_offset(nb::module_& m) {
       .def(
           "json", [](const O& o) { return to_json(o.answer()); }, "offset/1.")
       .def("__str__", [](const O& o) { return for_reading(to_text(o.answer()), false); });
-  bind_python(type, "outlines", "phrame._plot", "outlines", PHRAME_OUTLINES_SIG,
-              "Points of each path, (n, 2), as dense as a picture needs them.");
   bind_python(type, "marks", "phrame._plot", "marks",
               "def marks(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]",
               "\"cusps\", \"self_intersections\" and \"cuts\" as points, (n, 2).");

@@ -62,6 +62,12 @@ template <class T>
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
+/// The same number, the low part at most half an ulp of the high one.
+template <class T>
+[[gnu::always_inline]] inline SumOfTwo<T> normalized(const SumOfTwo<T>& x) {
+  return two_sum(x.high, x.low);
+}
+
 /// A factor as the sum of two halves of at most 26 bits each.
 template <class T>
 struct SplitFactor {

@@ -8,9 +8,7 @@ namespace phrame::inline v0 {
 // nearest, too: raised() makes up for that, after hundreds of operations.
 
 /// x within `error`, with a low part of at most half an ulp of the high one.
-inline NearNumber within(const DoubleDouble& x, double error) {
-  return {two_sum(x.high, x.low), error};
-}
+inline NearNumber within(const DoubleDouble& x, double error) { return {normalized(x), error}; }
 
 /// |x| as far as it matters for errors.
 inline double size_of(const NearNumber& x) { return std::abs(x.value.high); }

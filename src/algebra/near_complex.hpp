@@ -32,8 +32,6 @@ inline constexpr double rounding = 0x1p-102;
 inline constexpr double least = 0x1p-1000;  ///< covers underflow
 inline constexpr double least_size = 0x1p-500;
 
-/// The low part at most half an ulp of the high one.
-inline DoubleDouble normalized(const DoubleDouble& x) { return two_sum(x.high, x.low); }
 inline DoubleDouble sum(const DoubleDouble& a, const DoubleDouble& b) { return normalized(a + b); }
 inline DoubleDouble negative(const DoubleDouble& a) { return {-a.high, -a.low}; }
 inline DoubleDouble product(const DoubleDouble& a, const DoubleDouble& b) {

@@ -5,14 +5,6 @@
 namespace phrame::inline v0 {
 namespace {
 
-OffsetDrawing drawing_of(const std::string& question, const std::string& name,
-                         const std::vector<Path>& paths, const Rational& tolerance) {
-  OffsetDrawing drawing{question, name, {}, tolerance};
-  for (const Path& path : paths)
-    drawing.paths.push_back({plane_cubics(path, drawing.tolerance), path.ends_meet()});
-  return drawing;
-}
-
 OffsetNurbs nurbs_of(const std::string& question, const std::string& name,
                      const std::vector<Path>& paths) {
   OffsetNurbs nurbs{question, name, {}};
@@ -22,6 +14,12 @@ OffsetNurbs nurbs_of(const std::string& question, const std::string& name,
 
 }  // namespace
 
+std::vector<OffsetCubics> cubics_of(const std::vector<Path>& paths, const Rational& tolerance) {
+  std::vector<OffsetCubics> list;
+  for (const Path& path : paths) list.push_back({plane_cubics(path, tolerance), path.ends_meet()});
+  return list;
+}
+
 Rational drawing_tolerance(const OffsetAnswer& answer) {
   std::vector<Rational> sizes;
   for (const auto& part : answer.offsets) sizes.push_back(abs(part.distance));
@@ -30,13 +28,18 @@ Rational drawing_tolerance(const OffsetAnswer& answer) {
   return *std::ranges::min_element(sizes) * power_of_ten(-6);
 }
 
+Rational drawing_tolerance(const EnvelopeAnswer& answer) {
+  return answer.greatest_radius * power_of_ten(-6);
+}
+
 OffsetDrawing drawing(const OffsetAnswer& answer) {
-  return drawing_of("offset", answer.path.name, all_paths(answer), drawing_tolerance(answer));
+  const Rational tolerance = drawing_tolerance(answer);
+  return {"offset", answer.path.name, cubics_of(all_paths(answer), tolerance), tolerance};
 }
 
 OffsetDrawing drawing(const EnvelopeAnswer& answer) {
-  return drawing_of("envelope", answer.name, all_paths(answer),
-                    answer.greatest_radius * power_of_ten(-6));
+  const Rational tolerance = drawing_tolerance(answer);
+  return {"envelope", answer.name, cubics_of(all_paths(answer), tolerance), tolerance};
 }
 
 OffsetNurbs nurbs(const OffsetAnswer& answer) {

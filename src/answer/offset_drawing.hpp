@@ -18,9 +18,12 @@ struct OffsetDrawing {
   std::vector<OffsetCubics> paths;  ///< in their order
   Rational tolerance;               ///< each is within that of the offset, which is proved
 };
-/// 10⁻⁶ of the least distance.
+/// Within the tolerance, each.
+std::vector<OffsetCubics> cubics_of(const std::vector<Path>& paths, const Rational& tolerance);
+/// 10⁻⁶ of the least distance, or of the greatest radius.
 Rational drawing_tolerance(const OffsetAnswer& answer);
-/// Within that, or 10⁻⁶ of the greatest radius.
+Rational drawing_tolerance(const EnvelopeAnswer& answer);
+/// Within that.
 OffsetDrawing drawing(const OffsetAnswer& answer);
 OffsetDrawing drawing(const EnvelopeAnswer& answer);
 

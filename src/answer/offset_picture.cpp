@@ -22,12 +22,6 @@ long steps_of(std::size_t segments) {
   return found;
 }
 
-std::vector<OffsetCubics> cubics(const std::vector<Path>& paths, const Rational& tolerance) {
-  std::vector<OffsetCubics> list;
-  for (const Path& path : paths) list.push_back({plane_cubics(path, tolerance), path.ends_meet()});
-  return list;
-}
-
 /// The offsets of the path of an answer with all that they have too much.
 class Whole {
  public:
@@ -106,24 +100,24 @@ Left left_of(const EnvelopeAnswer& answer, EnvelopePiece::Kind kind) {
 
 OffsetPicture picture(const OffsetAnswer& answer) {
   OffsetPicture found{{}, {}, drawing_tolerance(answer)};
-  found.path = cubics({answer.path.path}, found.tolerance);
+  found.path = cubics_of({answer.path.path}, found.tolerance);
   for (const auto& part : answer.both)
-    found.layers.push_back({cubics(part.paths, found.tolerance), {}, {}});
+    found.layers.push_back({cubics_of(part.paths, found.tolerance), {}, {}});
   if (!answer.both.empty()) return found;
   const Whole whole(answer);
   for (const auto& part : answer.offsets)
     found.layers.push_back(
-        {cubics(part.paths, found.tolerance),
+        {cubics_of(part.paths, found.tolerance),
          {},
          whole.samples(whole.at(part.distance), [](const Rational&) { return true; })});
   std::map<Rational, Offset> at;
   for (const auto& part : answer.trimmed) {
     OffsetPicture::Layer layer;
     for (const auto& branch : part.branches)
-      for (OffsetCubics& path : cubics(branch.paths, found.tolerance))
+      for (OffsetCubics& path : cubics_of(branch.paths, found.tolerance))
         layer.paths.push_back(std::move(path));
     const auto [place, is_new] = at.try_emplace(part.distance, whole.at(part.distance));
-    if (is_new) layer.whole = cubics(paths(place->second), found.tolerance);
+    if (is_new) layer.whole = cubics_of(paths(place->second), found.tolerance);
     layer.samples = whole.samples(place->second, left_of(part));
     found.layers.push_back(std::move(layer));
   }
@@ -131,9 +125,9 @@ OffsetPicture picture(const OffsetAnswer& answer) {
 }
 
 OffsetPicture picture(const EnvelopeAnswer& answer) {
-  OffsetPicture found{{}, {{}}, answer.greatest_radius * power_of_ten(-6)};
+  OffsetPicture found{{}, {{}}, drawing_tolerance(answer)};
   OffsetPicture::Layer& layer = found.layers.front();
-  layer.paths = cubics(all_paths(answer), found.tolerance);
+  layer.paths = cubics_of(all_paths(answer), found.tolerance);
   const long steps = steps_of(answer.segments.size());
   const std::array<Left, 2> left{left_of(answer, EnvelopePiece::Kind::right),
                                  left_of(answer, EnvelopePiece::Kind::left)};
@@ -141,7 +135,7 @@ OffsetPicture picture(const EnvelopeAnswer& answer) {
     const auto& segment = answer.segments[k];
     const Vector<Polynomial> center = position(segment.curve);
     const RationalCurve axis({center[0], center[1], {}});
-    for (OffsetCubics& path : cubics({Path(segment_of(axis))}, found.tolerance))
+    for (OffsetCubics& path : cubics_of({Path(segment_of(axis))}, found.tolerance))
       found.path.push_back(std::move(path));
     for (std::size_t side = 0; side < 2; ++side) {
       const auto& curve = (side == 0 ? segment.right : segment.left).curve;

@@ -11,6 +11,7 @@
 #include "phrame/answer/near_rows.hpp"
 #include "phrame/io/frame_parameters.hpp"
 #include "phrame/io/read/frame_layout.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/read/text_table.hpp"
 #include "phrame/ph/frame/frame_sieve.hpp"
 
@@ -56,16 +57,9 @@ class Lines {
   std::uint64_t place_ = 0;
 };
 
-std::string_view trimmed_line(std::string_view line) {
-  constexpr std::string_view blanks = " \t\r";
-  const auto first = line.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return line.substr(first, line.find_last_not_of(blanks) - first + 1);
-}
-
 /// Empty lines and comments.
 bool is_skipped(std::string_view line) {
-  const std::string_view content = trimmed_line(line);
+  const std::string_view content = trimmed(line);
   return content.empty() || content.front() == '#';
 }
 
@@ -97,7 +91,7 @@ std::optional<Head> head_of(const ReadBytes& read, const FrameReading& reading) 
       above.append(*line) += '\n';
   }
   // Arrays of NumPy, JSON and what is no table at all are of other bytes.
-  if (std::string_view("[{\xEF\xFE\xFF\x93").find(trimmed_line(first[0]).front()) !=
+  if (std::string_view("[{\xEF\xFE\xFF\x93").find(trimmed(first[0]).front()) !=
       std::string_view::npos)
     return std::nullopt;
   const std::string few = above + first[0] + "\n" + first[1] + "\n" + first[2] + "\n";
@@ -122,10 +116,10 @@ void split(std::string_view content, char separator, std::vector<std::string_vie
   for (;;) {
     const auto end =
         separators.size() == 1 ? content.find(separator) : content.find_first_of(separators);
-    cells.push_back(trimmed_line(content.substr(0, end)));
+    cells.push_back(trimmed(content.substr(0, end)));
     if (end == std::string_view::npos) return;
     content.remove_prefix(end + 1);
-    if (separator == ' ') content = trimmed_line(content);
+    if (separator == ' ') content = trimmed(content);
   }
 }
 
@@ -159,7 +153,7 @@ bool sift(Lines& lines, std::uint64_t size, const Head& head, FrameSieve& sieve)
       stage.advance();
     }
     if (is_skipped(*line)) continue;
-    const std::string_view content = trimmed_line(*line);
+    const std::string_view content = trimmed(*line);
     if (!is_plain(content, head.separator)) return false;
     split(content, head.separator, cells);
     if (cells.size() != head.columns) return false;

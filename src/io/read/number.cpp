@@ -9,11 +9,10 @@
 
 namespace phrame::inline v0 {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view surroundings = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(surroundings);
+std::string_view trimmed(std::string_view text, std::string_view around) {
+  const std::size_t begin = text.find_first_not_of(around);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(surroundings) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(around) - begin + 1);
 }
 
 std::string_view take_line(std::string_view& text) {

@@ -6,8 +6,8 @@
 
 namespace phrame::inline v0 {
 
-/// The text without the blanks around it.
-std::string_view trimmed(std::string_view text);
+/// The text without the blanks, or these characters, around it.
+std::string_view trimmed(std::string_view text, std::string_view around = " \t\r\n");
 
 /// Takes the first line off the text, and gives it without its end.
 std::string_view take_line(std::string_view& text);

@@ -18,12 +18,6 @@ using Cells = std::vector<std::string_view>;
 
 constexpr std::string_view blanks_in_line = " \t\r";
 
-std::string_view trimmed(std::string_view text, std::string_view characters) {
-  const auto first = text.find_first_not_of(characters);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(characters) - first + 1);
-}
-
 /// Where the field ends that the line begins with, npos at its end; separators in quotes are none.
 std::size_t end_of_field(std::string_view line, std::string_view separators) {
   const auto quote = line.find_first_not_of(' ');

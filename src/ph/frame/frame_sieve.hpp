@@ -30,8 +30,7 @@ struct NearFrame {
 ///     those are left out that bounds prove to be less;
 ///   - those of which guessed_up_vectors() makes its guesses, of which the same holds;
 ///   - those of which doubles do not tell whether they are at fault, or not orthonormal, or how
-///   they
-///     are wrong, with their neighbours;
+///     they are wrong, with their neighbours;
 ///   - the first fault of a kind, and some on the way, so that what is no frame of another kind is
 ///     seen not to be one.
 class FrameSieve {
