@@ -30,7 +30,8 @@ class NearPoints {
     const RationalFunction& V = query.feedrate.speed;
     if (!query.feedrate.is_rational()) return;
     if (!V.numerator().is_constant() || !V.denominator().is_constant()) return;
-    if (ticks < Integer(static_cast<long>(many_rows(path, true)))) return;
+    const auto rows = static_cast<std::size_t>(static_cast<long>(ticks));
+    if (!are_many_rows(rows, angle_to(std::nullopt, path), true)) return;
     speed_ = V.numerator().coefficient(0) / V.denominator().coefficient(0);
     length_ = where_compiled([&] { return CompiledLength(path); });
     points_ = where_compiled([&] { return CompiledPoints(path); });

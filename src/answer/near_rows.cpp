@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/compiled_rotation.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -48,23 +49,59 @@ long rows_of_piece(const Segment& segment) {
 
 /// With rotation-minimizing frames of PH curves by long fractions a row takes up to ten times as
 /// long, and a piece no more.
-long rows_of_rmf_piece(const Segment& segment) {
+long rows_in(long of_short_fractions, const Curve& curve) {
   constexpr long most = 8;
-  const Curve* curve = ph_curve(segment);
-  return rows_of_piece(segment) / (curve == nullptr ? 1 : std::min(most, 1 + bits_of(*curve) / 16));
+  return of_short_fractions / std::min(most, 1 + bits_of(curve) / 16);
 }
 
-std::size_t sum_over(const Path& path, long (*of)(const Segment&)) {
+long rows_of_rmf_piece(const Segment& segment) {
+  const Curve* curve = ph_curve(segment);
+  const long rows = rows_of_piece(segment);
+  return curve == nullptr ? rows : rows_in(rows, *curve);
+}
+
+long sum_over(const Path& path, long (*of)(const Segment&)) {
   long sum = 0;
   for (const Segment& segment : path.segments()) sum += of(segment);
-  return static_cast<std::size_t>(sum);
+  return sum;
+}
+
+/// From so many rows on it pays to compile a path.
+long usually_many(const Path& path, bool is_by_length) {
+  // By arc length t is the root of a polynomial.
+  return is_by_length ? sum_over(path, rows_of_piece) / 8 : sum_over(path, rows_of_rmf_piece);
+}
+
+/// The same for a path of at least three segments, if in all of them the frame turns as little as
+/// in three; no number where these are not compiled.
+std::optional<long> many_as_in_three(const PathAngle& angle, bool is_by_length) {
+  const auto& segments = angle.path().segments();
+  const std::size_t n = segments.size();
+  long pieces = 0;
+  long rows_of_one = 0;
+  for (const std::size_t k : {n / 6, n / 2, n - 1 - n / 6}) {
+    const auto rotation =
+        where_compiled([&] { return compiled_rotation(angle, k, {}, compensated_shape(4)); });
+    if (!rotation) return std::nullopt;
+    pieces += static_cast<long>(rotation->pieces().size());
+    const Curve* curve = ph_curve(segments[k]);
+    const long rows_here = curve ? rows_in(24 + 2 * preimage_degree(*curve), *curve) + 1 : 16;
+    rows_of_one = std::max(rows_of_one, rows_here);
+  }
+  return static_cast<long>(n) * pieces * rows_of_one / (is_by_length ? 9 : 3);
 }
 
 }  // namespace
 
-// By arc length t is the root of a polynomial.
-std::size_t many_rows(const Path& path, bool is_by_length) {
-  return is_by_length ? sum_over(path, rows_of_piece) / 8 : sum_over(path, rows_of_rmf_piece);
+bool are_many_rows(std::size_t rows, const PathAngle& angle, bool is_by_length) {
+  constexpr std::size_t many_segments = 16;
+  const auto number = static_cast<long>(rows);
+  if (number >= usually_many(angle.path(), is_by_length)) return true;
+  const std::size_t segments = angle.path().segments().size();
+  if (segments < many_segments || rows < segments || angle.reference() == Reference::frenet)
+    return false;
+  const auto many = many_as_in_three(angle, is_by_length);
+  return many && number >= *many;
 }
 
 NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
@@ -72,10 +109,11 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
     : columns_(columns), places_(places), orientations_(columns) {
   const Path& path = angle.path();
   const bool is_by_length = places.is_by_length();
-  const std::size_t many = is_by_length || are_of_rmf(columns) ? many_rows(path, is_by_length)
-                                                               : sum_over(path, rows_of_piece);
-  if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet ||
-      places.size() < many)
+  if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet)
+    return;
+  const std::size_t rows = places.size();
+  if (is_by_length || are_of_rmf(columns) ? !are_many_rows(rows, angle, is_by_length)
+                                          : static_cast<long>(rows) < sum_over(path, rows_of_piece))
     return;
   const bool has_length = !columns.scalars.empty() && are_lengths(columns);
   if (places.is_by_length() || has_length)

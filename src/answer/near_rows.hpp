@@ -8,8 +8,9 @@
 
 namespace phrame::inline v0 {
 
-/// From so many rows on it pays to compile a path.
-std::size_t many_rows(const Path& path, bool is_by_length);
+/// Does it pay to compile the path for so many rows? A segment of a spline mostly is one piece,
+/// where a random curve has ten or more: three segments of many are tried.
+bool are_many_rows(std::size_t rows, const PathAngle& angle, bool is_by_length);
 
 /// What make() makes; nothing where the polynomials are not found: then each row goes the exact
 /// way.

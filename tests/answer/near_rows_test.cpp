@@ -6,6 +6,7 @@
 #include "phrame/answer/frame_rows.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/curve/transform.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
@@ -82,6 +83,12 @@ TEST_CASE("near rows: of curves of many kinds they are the exact ones, and nearl
     check_rows(Path(Curve(a)), 401);
   }
   SUBCASE("closed, of four segments") { check_rows(Path(test::chain(test::quarters()))); }
+  SUBCASE("of twenty segments, of which three are tried") {
+    std::vector<Curve> segments;
+    for (long k = 0; k < 20; ++k)
+      segments.push_back(segment(test::quintic, Rational(k, 20), Rational(k + 1, 20)));
+    check_rows(Path(test::chain(segments)));
+  }
   SUBCASE("with corners") {
     check_rows(joined({bezier_curve({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 2, 1}}),
                        bezier_curve({{2, 2, 1}, {2, 2, 3}, {0, 1, 3}}),
