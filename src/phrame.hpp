@@ -63,6 +63,7 @@
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/travel_time.hpp"
 #include "phrame/ph/along/up_vector.hpp"
+#include "phrame/ph/construct/near_plane_path.hpp"
 #include "phrame/ph/curve/bspline.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/rational_ph.hpp"

@@ -286,11 +286,15 @@ nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, n
 
 nb::object parsed(const std::string& bytes, nb::handle near, const FileReading& reading = {}) {
   if (!near.is_none()) {
-    if (!reading.is_plain())
-      refuse("near", "skip_invalid and pick are not for curves that are near others", near);
     const Rational epsilon = rational(near, "near");
     if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
-    auto found = without_gil([=] { return read_path_near(bytes, epsilon); });
+    auto found = at_place("near", [&] {
+      return without_gil([=] {
+        return reading.is_plain() && is_curve_file(bytes)
+                   ? read_path_near(bytes, epsilon)
+                   : near_path(read_any_path(bytes, {}, reading), epsilon);
+      });
+    });
     if (const auto* none = std::get_if<NotNear>(&found))
       refuse("near", to_line(*none, epsilon), near);
     return wrap(std::get<NamedPhPath>(found));

@@ -77,6 +77,13 @@ nb::object offset_of(nb::handle self, nb::handle distance, nb::handle join, Flag
                                found});
 }
 
+nb::object near_ph(nb::handle self, nb::handle epsilon) {
+  const Rational within = rational(epsilon, "epsilon");
+  if (within.sign() <= 0) refuse("epsilon", "it is not positive", epsilon);
+  return wrap(
+      without_gil([=, named = path_of(self).named] { return near_ph_path(named, within); }));
+}
+
 const OffsetAnswer& offset_answer(nb::handle self) {
   return nb::cast<const OffsetObject&>(self).answer();
 }
@@ -450,6 +457,11 @@ void bind_offsets(nb::module_& m, PathClass& path) {
            "17 digits of it where they are cut. With `pocket` they are those of a closed path at "
            "that distance inwards and at its multiples until nothing is left, one room after the "
            "other. With `gauge` the unit circle is another curve, and the path any rational one.")
+      .def("near_ph", near_ph, argument("epsilon"),
+           nb::sig("def near_ph(self, epsilon: Number) -> Path"),
+           "A PH path in place of this one, of which no point is farther than epsilon from it, "
+           "proved: itself where it is PH, one of the same degrees where there is one, and else, "
+           "in a plane z = const, lines and quintics, as many as are needed.")
       .def("check_offset", check_offset, argument("given"), argument("distance"),
            argument("join") = "round", argument("trim") = false, argument("tolerance") = "1e-6",
            nb::sig("def check_offset(self, given: Path | Numbers | Vectors | "

@@ -89,6 +89,7 @@ API = {
     "Path.check": (QUINTIC.check, CHECK),
     "Path.interpolate": (QUINTIC.interpolate, {"feed": 1, "period": 1, **LIMITS}),
     "Path.offset": (PLANE_CUBIC.offset, {"distance": 1, "join": "round", "trim": False, "pocket": False, "gauge": None}),
+    "Path.near_ph": (PLANE_CUBIC.near_ph, {"epsilon": 1}),
     "Path.check_offset": (PLANE_CUBIC.check_offset, {"given": PLANE_CUBIC.offset(1)[0], "distance": 1, "join": "round", "trim": False, "tolerance": 1}),
     **{f"Offset.{name}": (getattr(PLANE_CUBIC.offset(1), name), {}) for name in ("text", "latex", "json", "outlines", "marks")},
     "Offset.plot": (PLANE_CUBIC.offset(1).plot, {"ax": PLANE}),

@@ -54,6 +54,15 @@ const NamedPath* given_path(const std::string& file, const FileReading& reading)
   return path;
 }
 
+/// near_path() of what a file holds.
+std::variant<NamedPhPath, NotNear> near_path_of(const NamedPath& named, const Rational& epsilon) {
+  try {
+    return near_path(named, epsilon);
+  } catch (const DomainError& error) {
+    throw InputError("", error.what());
+  }
+}
+
 NamedPhPath ph_path_of(const NamedPath& named) {
   if (auto ph = with_preimages(named)) return *std::move(ph);
   throw InputError("", fmt::format("this command {}", needs_ph(named.path)));
@@ -274,16 +283,25 @@ NamedPhPath CurveOptions::read_path() const {
   return named;
 }
 
+std::variant<NamedPhPath, NotNear> CurveOptions::read_path_near() const {
+  const Rational within = epsilon().value();
+  return at_place(name_of_file(path), ":", [&]() -> std::variant<NamedPhPath, NotNear> {
+    if (const NamedPath* named = given_path(path, reading)) return near_path_of(*named, within);
+    const std::string text = content();
+    // Control points that are written as such may leave gaps, which near_path() closes.
+    if (reading.is_plain() && is_curve_file(text))
+      return phrame::read_path_near(text, within, limits);
+    return near_path_of(read_any(text, *this), within);
+  });
+}
+
 NamedPhPath CurveOptions::read_path_with_preimages() const {
   const auto within = epsilon();
-  if (const NamedPath* named = given_path(path, reading))
+  if (const NamedPath* named = given_path(path, reading); named != nullptr && !within)
     return at_place(path, ":", [&] { return ph_path_of(*named); });
   if (!within) return read_by(read_ph_path, *this);
-  reading.refuse_skipping("read with --near");
-  reading.refuse_picking("read with --near");
-  const std::string text = content();
   const std::string file = name_of_file(path);
-  auto read = at_place(file, ":", [&] { return read_path_near(text, *within, limits); });
+  auto read = read_path_near();
   if (const auto* none = std::get_if<NotNear>(&read))
     throw InputError(file, to_line(*none, *within));
   auto& named = std::get<NamedPhPath>(read);

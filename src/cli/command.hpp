@@ -61,6 +61,8 @@ struct CurveOptions {
   std::pair<NamedPhPath, std::vector<Rational>> read_path_at(const struct Parameters& asked) const;
   NamedPhPath read_path() const;
   NamedPhPath read_path_with_preimages() const;
+  /// The path, or a PH path at most --near from it.
+  std::variant<NamedPhPath, NotNear> read_path_near() const;
   /// One of any kind. Where it is no PH path but one is very near, as of rounded control points, a
   /// line on stderr says what --near gives closed forms. Another one tells of corners that are no
   /// rounding; those beyond --max-corner are refused.

@@ -48,14 +48,13 @@ Printer<Answer> printer(const std::string& name, Printer<Answer> as_curve) {
 }
 
 /// The spline, or the one that stands for it. Throws AnswerNo where there is none.
-PathIdentification spline_of(const std::string& text, const std::optional<Rational>& epsilon,
-                             const CurveLimits& limits) {
-  if (epsilon) {
-    auto found = read_path_near(text, *epsilon, limits);
+PathIdentification spline_of(const CurveOptions& options) {
+  if (const auto epsilon = options.epsilon()) {
+    auto found = options.read_path_near();
     if (const auto* none = std::get_if<NotNear>(&found)) throw AnswerNo{to_line(*none, *epsilon)};
     return {std::get<NamedPhPath>(std::move(found))};
   }
-  const NamedPath named = read_any_path(text, limits);
+  const NamedPath named = options.read_any_path();
   const auto& segments = named.path.segments();
   const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
   if (other != segments.end())
@@ -63,20 +62,36 @@ PathIdentification spline_of(const std::string& text, const std::optional<Ration
   return {with_preimages(named).value()};
 }
 
-void run_for_spline(const IdentifyOptions& options, const std::string& text) {
-  const auto print = printer<PathIdentification>(options.print, to_path_file);
-  const PathIdentification found = at_place(name_of_file(options.curve.path), ":", [&] {
-    return spline_of(text, options.curve.epsilon(), options.curve.limits);
-  });
-  options.length.write(options.curve.output, print(found));
+/// What is asked of one curve; nothing for a path of several. A preimage that is given is none of
+/// the least degree.
+std::optional<std::variant<NamedHodograph, NamedRationalCurve>> one_curve(CurveOptions options,
+                                                                          const std::string& text) {
+  if (options.reading.is_plain() && is_curve_file(text)) {
+    if (is_spline_file(text)) return std::nullopt;
+    if (auto rational = read_rational_curve(text, options.limits)) return *std::move(rational);
+    return read_hodograph(text, options.limits);
+  }
+  options.near.reset();
+  const NamedPath named = options.read_any_path();
+  if (named.path.segments().size() > 1) return std::nullopt;
+  const RationalCurve* curve = rational_curve(named.path.segments().front());
+  if (curve == nullptr)
+    throw InputError("",
+                     "the curve is given by formulas; only polynomials and quotients of them "
+                     "are identified as PH curves");
+  if (curve->weight().is_constant())
+    return NamedHodograph{named.name, hodograph(*curve), point(*curve, 0)};
+  return NamedRationalCurve{named.name, *curve};
 }
 
-/// Of one curve.
-IdentificationAnswer identified(const std::string& text, const std::optional<Rational>& epsilon,
-                                const CurveLimits& limits) {
-  const auto rational = read_rational_curve(text, limits);
-  if (!rational) return answer(read_hodograph(text, limits), epsilon);
-  IdentificationAnswer found = answer(*rational);
+IdentificationAnswer identified(const NamedHodograph& curve,
+                                const std::optional<Rational>& epsilon) {
+  return answer(curve, epsilon);
+}
+
+IdentificationAnswer identified(const NamedRationalCurve& curve,
+                                const std::optional<Rational>& epsilon) {
+  IdentificationAnswer found = answer(curve);
   if (epsilon && std::holds_alternative<NotPythagorean>(found.result))
     throw InputError("/", "the curve is rational; --near is of polynomial ones");
   return found;
@@ -84,17 +99,19 @@ IdentificationAnswer identified(const std::string& text, const std::optional<Rat
 
 void run(const IdentifyOptions& options) {
   const auto print = printer<IdentificationAnswer>(options.print, to_curve_file);
-  const auto epsilon = options.curve.epsilon();
-  const std::string text = read_file(options.curve.path);
-  const auto found = at_place(name_of_file(options.curve.path), ":", [&] {
-    options.curve.reading.refuse_skipping("one curve by itself");
-    options.curve.reading.refuse_picking("one curve by itself");
-    return is_spline_file(text) ? std::nullopt
-                                : std::optional(identified(text, epsilon, options.curve.limits));
+  CurveOptions curve = options.curve;
+  curve.bytes = read_file(curve.path);
+  const std::string file = name_of_file(curve.path);
+  const auto one = at_place(file, ":", [&] { return one_curve(curve, *curve.bytes); });
+  if (!one) {
+    const auto print_path = printer<PathIdentification>(options.print, to_path_file);
+    return options.length.write(curve.output, print_path(spline_of(curve)));
+  }
+  const auto found = at_place(file, ":", [&] {
+    return std::visit([&](const auto& given) { return identified(given, curve.epsilon()); }, *one);
   });
-  if (!found) return run_for_spline(options, text);
-  options.length.write(options.curve.output, print(*found));
-  if (!curve_of(*found)) throw AnswerNo{};
+  options.length.write(curve.output, print(found));
+  if (!curve_of(found)) throw AnswerNo{};
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/cli/boundary_printer.hpp"
 #include "phrame/cli/exchange.hpp"
 #include "phrame/io/write/names.hpp"
+#include "phrame/io/write/text.hpp"
+#include "phrame/ph/construct/near_plane_path.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -41,24 +44,60 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
+NamedPath read_as_it_is(CurveOptions options) {
+  options.near.reset();
+  options.is_for_frames = false;
+  return options.read_any_path();
+}
+
+/// A PH path within --near, of the same degrees if there is one, else one of near_plane_path().
+NamedPath read_near(const CurveOptions& options) {
+  try {
+    return options.read_path_with_preimages();
+  } catch (const InputError&) {
+    const std::string file = name_of_file(options.path);
+    const NamedPath named = read_as_it_is(options);
+    NearPath near = [&] {
+      try {
+        return near_plane_path(named.path, options.epsilon().value());
+      } catch (const DomainError& error) {
+        throw InputError(file, error.what());
+      }
+    }();
+    note_at_end(fmt::format("{}: in its place a PH spline of {}, at most {} from it", file,
+                            counted(near.path.segments().size(), "segment"),
+                            upper_bound_text(near.nearness.distance)));
+    return NamedPhPath(named.name, std::move(near.path), std::move(near.nearness));
+  }
+}
+
+bool is_in_plane(const Segment& segment) {
+  const RationalCurve* curve = rational_curve(segment);
+  return curve != nullptr && curve->direction()[2].is_zero();
+}
+
 /// A PH path, or a curve in a plane of which the offset may be rational for both sides together.
 NamedPath read_curve(CurveOptions options) {
-  if (options.near) return options.read_path_with_preimages();
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
+  if (options.near) return read_near(options);
   try {
     return options.read_path_with_preimages();
   } catch (const InputError&) {
     const std::exception_ptr not_ph = std::current_exception();
+    std::optional<NamedPath> other;
     try {
-      NamedPath other = options.read_any_path();
-      const auto& segments = other.path.segments();
-      const RationalCurve* curve = rational_curve(segments.front());
-      if (segments.size() == 1 && curve != nullptr && curve->direction()[2].is_zero() &&
-          offset_kind(*curve).kind == OffsetKind::Kind::two_sided)
-        return other;
+      other = read_as_it_is(options);
     } catch (const Error&) {  // it is no curve
     }
-    std::rethrow_exception(not_ph);
+    if (!other || !std::ranges::all_of(other->path.segments(), is_in_plane))
+      std::rethrow_exception(not_ph);
+    const auto& segments = other->path.segments();
+    if (segments.size() == 1 &&
+        offset_kind(*rational_curve(segments.front())).kind == OffsetKind::Kind::two_sided)
+      return options.read_any_path();
+    throw InputError(name_of_file(options.path),
+                     "the path is not PH, so that its offset is not rational: with --near EPS that "
+                     "of a PH path at most EPS away is taken");
   }
 }
 
@@ -78,11 +117,7 @@ Gauge read_gauge(const std::string& file) {
 NamedPath read_plane_path(CurveOptions options) {
   options.is_for_frames = false;
   NamedPath named = options.read_any_path();
-  const auto is_plane = [](const Segment& segment) {
-    const RationalCurve* curve = rational_curve(segment);
-    return curve != nullptr && curve->direction()[2].is_zero();
-  };
-  if (!std::ranges::all_of(named.path.segments(), is_plane))
+  if (!std::ranges::all_of(named.path.segments(), is_in_plane))
     throw InputError(name_of_file(options.path),
                      "under a gauge the path is of rational curves in a plane z = const");
   return named;
@@ -128,7 +163,9 @@ void run_check(const OffsetOptions& options) {
   add_foreign(check.given, *options.given, options);
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
-  const OffsetCheckAnswer found = answer(curve.read_path(), check);
+  const auto path = curve.near ? with_preimages(read_near(curve)).value() : curve.read_path();
+  require_polynomial(path.path.segments(), name_of_file(curve.path));
+  const OffsetCheckAnswer found = answer(path, check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));
   if (!found.passes) throw AnswerNo{};
 }
@@ -147,8 +184,7 @@ void run(const OffsetOptions& options) {
 }  // namespace
 
 void add_offset(Program& program) {
-  Command& command =
-      program.add("offset", "exact offsets of a plane PH curve or spline, with their cusps");
+  Command& command = program.add("offset", "exact offsets of plane paths, with their cusps");
   const auto options = std::make_shared<OffsetOptions>();
   options->curve.add_input_to(command);
   command.add_list("--distance", "D,...", options->distances,
@@ -197,6 +233,9 @@ void add_offset(Program& program) {
       "where x'^2 + y'^2 has two simple roots and the conic of these a rational point. With --trim "
       "what is nearer to the path than |d| is cut away, and the report\n"
       "has the branches that are left, in place of cusps and meetings.\n"
+      "With --near EPS other paths, as of drawings, are offset as well: a PH path takes their "
+      "place\n"
+      "that is at most EPS away, proved: lines and quintics, as many as are needed.\n"
       "Behind a cusp at which the path turns back it is on the other side of travel.\n"
       "With --gauge the unit circle is a curve U, whole for phi from -infinity to infinity: the\n"
       "offset is rational, and exact, where r' x U' has a factor of degree 1 in phi; segments "
@@ -209,6 +248,7 @@ void add_offset(Program& program) {
       "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset outline.json --distance -1/2 --trim --check theirs.csv --tol 1e-3\n"
       "  phrame offset outline.json --distance -1/8 --pocket -o pocket.dxf\n"
+      "  phrame offset drawing.svg --distance 2 --near 1e-4 --trim -o around.svg\n"
       "  phrame offset curve.json --distance 1/2 --gauge ellipse.json\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");
   command.does(options, run);

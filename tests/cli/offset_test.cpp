@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
@@ -507,6 +509,32 @@ TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused
   check_failure(
       here.run("offset quintic.json --distance 1 --gauge circle.json -o off.json"), 2,
       "phrame: quintic.json: under a gauge the path is of rational curves in a plane z = const\n");
+  CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+// Steiner: outwards A + L·d + π·d² and L + 2π·d, and with it the corners' arcs.
+TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
+  const Workshop here;
+  here.write("triangle.svg", "M0,0 L3,0 L0,2 Z");
+  const auto found = here.run("offset triangle.svg --distance 1/2 --near 1e-9 --trim --print json");
+  check_success(found);
+  CHECK(
+      found.err.starts_with("phrame: triangle.svg: in its place a PH spline of 3 segments, at "));
+  const auto branch = nlohmann::json::parse(found.out)["trimmed"][0]["branches"][0];
+  const auto number = [&](const char* key) {
+    return std::stod(branch[key]["value"].get<std::string>());
+  };
+  const double perimeter = 5 + std::sqrt(13);
+  CHECK(std::abs(number("length") - (perimeter + std::numbers::pi)) < 1e-8);
+  CHECK(std::abs(number("area") - (3 + perimeter / 2 + std::numbers::pi / 4)) < 1e-8);
+  here.write("points.csv", "x,y\n0,0\n1,1\n2,0\n");
+  check_success(here.run("offset points.csv --kind polyline --distance 1/2 --near 1e-9"));
+  check_failure(
+      here.run("offset triangle.svg --distance 1/2 -o off.json"), 2,
+      "phrame: triangle.svg: the path is not PH, so that its offset is not rational: with "
+      "--near EPS that of a PH path at most EPS away is taken\n");
+  check_failure(here.run("offset triangle.svg --distance 1/2 --near 1e-40 -o off.json"), 4,
+                "phrame: undecided: segment 2: no PH curves were found that are near enough\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
 

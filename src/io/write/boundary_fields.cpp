@@ -44,6 +44,8 @@ std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
   if (!x.exact) return digits;
   const std::string exact =
       formula(formatted_sum(formatted_terms(*x.exact, notation), " ", notation), notation);
+  constexpr std::size_t longest = 100;  // beyond that nobody reads it, and JSON has it
+  if (notation == Notation::unicode && exact.size() > longest) return digits;
   if (is_rational(*x.exact) || notation == Notation::latex) return exact;
   return exact + " ≈ " + digits;
 }

@@ -350,4 +350,24 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
        bits - spline.scale, rmf_difference_bound(pairs), epsilon}};
 }
 
+std::variant<NearPath, NotNear> near_path(const Path& path, const Rational& epsilon) {
+  std::vector<BezierPoints> curves;
+  for (const Segment& segment : path.segments()) {
+    const RationalCurve* curve = rational_curve(segment);
+    if (curve == nullptr || !curve->weight().is_constant())
+      throw DomainError(
+          fmt::format("PH curve nearby: segment {} is no polynomial curve", curves.size() + 1));
+    curves.push_back(bezier_points(hodograph(*curve), point(*curve, 0)));
+  }
+  return near_path(curves, epsilon);
+}
+
+std::variant<NamedPhPath, NotNear> near_path(const NamedPath& named, const Rational& epsilon) {
+  if (auto ph = with_preimages(named)) return *std::move(ph);
+  auto found = near_path(named.path, epsilon);
+  if (const auto* none = std::get_if<NotNear>(&found)) return *none;
+  auto& [path, nearness] = std::get<NearPath>(found);
+  return NamedPhPath(named.name, std::move(path), std::move(nearness));
+}
+
 }  // namespace phrame

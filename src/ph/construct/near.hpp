@@ -3,7 +3,7 @@
 
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/nearness.hpp"
-#include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/curve/path.hpp"
 
 namespace phrame::inline v0 {
 
@@ -49,5 +49,10 @@ struct NearPath {
 /// at least 1e-15 of the size.
 PHRAME_API std::variant<NearPath, NotNear> near_path(
     const std::vector<std::vector<Vector<Rational>>>& curves, const Rational& epsilon);
+/// The same of a path of polynomial curves. Throws DomainError for others, too.
+PHRAME_API std::variant<NearPath, NotNear> near_path(const Path& path, const Rational& epsilon);
+/// The path itself where all its segments are PH, polynomial or rational; else one near it.
+PHRAME_API std::variant<NamedPhPath, NotNear> near_path(const NamedPath& named,
+                                                        const Rational& epsilon);
 
 }  // namespace phrame
