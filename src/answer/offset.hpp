@@ -75,11 +75,12 @@ struct OffsetAnswer {
   using End = BoundaryEnd;
   /// What is left of the offset of one segment, or of what joins those at a corner.
   struct TrimmedPiece {
-    End from;          ///< at a corner its t is that of the corner
-    End to;            ///< likewise
-    bool is_join;      ///< is it what joins the offsets there?
-    bool is_cut_from;  ///< is the start one where the offset is cut?
-    bool is_cut_to;    ///< is the end?
+    End from;           ///< at a corner its t is that of the corner
+    End to;             ///< likewise
+    bool is_join;       ///< is it what joins the offsets there?
+    std::size_t piece;  ///< of the offset with `join`, or with round joins where that is `open`
+    bool is_cut_from;   ///< is the start one where the offset is cut?
+    bool is_cut_to;     ///< is the end?
   };
   /// What is left of it, as long as it goes on.
   struct Branch {

@@ -177,8 +177,8 @@ void add_offset(Program& program) {
       "-o,--output", "FILE", options->output,
       "write the offset to this file, beside the report: a curve file, several paths\n"
       "a line each; as .dxf a spline for each; as .svg by cubics within |d|/1000000,\n"
-      "proved; as .html a page for a browser: path, offsets, marks at cusps, meetings\n"
-      "and cuts, lengths, the report");
+      "or 1/1000000000 of their size, proved; as .html a page for a browser: path,\n"
+      "offsets, marks at cusps, meetings and cuts, lengths, the report");
   command.writes("a curve in JSON, DXF or SVG there, or a page",
                  {"json", "jsonl", "dxf", "svg", "html", "htm"});
   command.add_format(
@@ -188,7 +188,7 @@ void add_offset(Program& program) {
   options->length.add_to(command);
   command.only_with({"--tol"}, {"--check"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
-  command.not_with({"--pocket", "--check"}, {"--gauge"});
+  command.not_with({"--check"}, {"--gauge"});
   command.set_notes(
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
@@ -201,7 +201,7 @@ void add_offset(Program& program) {
       "With --gauge the unit circle is a curve U, whole for phi from -infinity to infinity: the\n"
       "offset is rational, and exact, where r' x U' has a factor of degree 1 in phi; segments "
       "that\n"
-      "have none are left out, with the exit status 1.\n"
+      "have none are left out, with the exit status 1, and told what they would need.\n"
       "With --check the exit status is 1 where what is given is not proved to be within --tol.\n"
       "Examples:\n"
       "  phrame offset curve.json --distance 1/2\n"
