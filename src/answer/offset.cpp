@@ -293,6 +293,9 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   if (curve == nullptr || query.trim || query.pocket || !curve->direction()[2].is_zero())
     throw DomainError("offset: the path is not Pythagorean-hodograph");
   const OffsetKind kind = offset_kind(*curve);
+  if (kind.kind == OffsetKind::Kind::each_side && kind.radicand != 1)
+    throw DomainError(fmt::format("offset: the offset is rational over ℚ(√{}), not over ℚ",
+                                  to_string(kind.radicand)));
   if (kind.prime != 0)
     throw DomainError(fmt::format(
         "offset: the two-sided offset is rational over ℚ(√{}), not over ℚ, as y² = {} has no "

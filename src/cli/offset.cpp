@@ -41,7 +41,8 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
-/// A PH path, or a curve in a plane of which the offset may be rational for both sides together.
+/// A PH path, or a curve in a plane of which the offset may be rational for both sides together, or
+/// over another field.
 NamedPath read_curve(CurveOptions options) {
   if (options.near) return options.read_path_with_preimages();
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
@@ -53,9 +54,11 @@ NamedPath read_curve(CurveOptions options) {
       NamedPath other = options.read_any_path();
       const auto& segments = other.path.segments();
       const RationalCurve* curve = rational_curve(segments.front());
-      if (segments.size() == 1 && curve != nullptr && curve->direction()[2].is_zero() &&
-          offset_kind(*curve).kind == OffsetKind::Kind::two_sided)
-        return other;
+      using Kind = OffsetKind::Kind;
+      if (segments.size() == 1 && curve != nullptr && curve->direction()[2].is_zero()) {
+        const Kind kind = offset_kind(*curve).kind;
+        if (kind == Kind::two_sided || kind == Kind::each_side) return other;
+      }
     } catch (const Error&) {  // it is no curve
     }
     std::rethrow_exception(not_ph);

@@ -528,6 +528,8 @@ TEST_CASE("offset --gauge: an ellipse, by its file or as SVG, and the unit circl
                  "of segment 2: the irreducible factors of r′ × U′ are of degree 2 in φ; rational "
                  "to each side, over ℚ(√13)"));
   here.write("line.svg", "<svg><path d='M0,0 L1,1'/></svg>");
+  check_failure(here.run("offset line.svg --distance 1"), 3,
+                "phrame: offset: the offset is rational over ℚ(√2), not over ℚ\n");
   check_failure(here.run("offset line.svg --distance 1 --gauge ellipse.svg"), 3,
                 "phrame: offset: the path has no rational offset under this gauge: the irreducible "
                 "factors of r' x U' are of degree 2 in phi; it is rational to each side over "

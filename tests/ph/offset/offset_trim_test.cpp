@@ -438,6 +438,19 @@ TEST_CASE("offset_trim: next to a near-cusp, where a short arc is crossed at ang
         "0.0038925738733156909345");
 }
 
+// The path is closed by a half-turn, which takes one branch to the other.
+TEST_CASE("offset_trim: a cusp within 10^-10 of an inflection is decided by the sign of 1 + dk") {
+  const Curve curve({{-8, 18, -10}, {}, {}, {Rational(57439993, 7000000), Rational(-55, 7), -3}});
+  const PhPath path = test::chain({curve, rotated(curve, {0, 0, 0, 1})});
+  const TrimmedOffset found = trimmed_offset(path, Rational(-5, 2));
+  CHECK(found.undecided.empty());
+  REQUIRE(found.branches.size() == 2);
+  const auto length = [&](std::size_t k) {
+    return round_to_decimal(measure(path, found, found.branches[k]).length, 20).value;
+  };
+  CHECK(length(0) == length(1));
+}
+
 TEST_CASE("offset_trim: what cannot be is refused") {
   const PhPath line = lines({{0, 0, 0}, {1, 0, 0}});
   CHECK_THROWS_WITH_AS(trimmed_offset(line, 0), "offset: the distance is 0", DomainError);
