@@ -412,6 +412,7 @@ TEST_CASE(
       const OffsetPart& arc = found.branches[1].parts.front();
       const Real width = arc.to + -arc.from;
       CHECK(round_to_decimal(width, 5).value == "1.2965e-20");
+      CHECK(paths(found, found.branches[1], 10).size() == 1);
     }
   }
 }
