@@ -178,6 +178,19 @@ def test_gauges():
     assert gauge.degree == 2 and gauge == phrame.Gauge.of(circle) and repr(gauge) == "<Gauge of degree 2>"
     assert (gauge.x(2), gauge.y(2), gauge.weight(2)) == (-3, 4, 5)
     assert CUBIC.offset("1/2", gauge=gauge).paths == CUBIC.offset("1/2").paths == CUBIC.offset("1/2", gauge=circle).paths
+    ellipse = phrame.Path.polynomial([3, 0, -3], [0, 4], [], [1, 0, 1])
+    corners = [[0, 0, 0], [4, 0, 0], [4, 2, 0], [0, 2, 0], [0, 0, 0]]
+    box = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
+    # By 3/7 to the sides and by 2/7 up and down, and so on.
+    areas = [branch.area for branch in box.offset("-1/7", pocket=True, gauge=ellipse).branches]
+    assert areas == [(4 - Fraction(6 * k, 7)) * (2 - Fraction(4 * k, 7)) for k in (1, 2, 3)]
+    both = phrame.Path.bezier([[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]).offset("1/3", gauge=ellipse).two_sided
+    for m in (-3, "1/2", 5):
+        at = both.t[0](m) / both.t[1](m)
+        x, y = both.x(m) / both.weight(m) - at, both.y(m) / both.weight(m) - at * at
+        assert (x / 3) ** 2 + (y / 2) ** 2 == Fraction(1, 9) and x * 4 + y * 9 * 2 * at == 0
+    with pytest.raises(phrame.DomainError, match="rational to each side over ℚ"):
+        phrame.Path.bezier([[0, 0, 0], [1, 1, 0]]).offset(1, gauge=ellipse)
     with pytest.raises(phrame.DomainError, match="path: gauge: it is not symmetric"):
         phrame.Gauge.of(circle.translated([1, 0, 0]))
     with pytest.raises(TypeError, match="gauge: a Gauge or a Path is wanted"):

@@ -10,6 +10,7 @@
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
+#include "phrame/ph/offset/gauge_kind.hpp"
 #include "phrame/ph/offset/gauge_trim.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
@@ -118,21 +119,18 @@ class OffsetReport {
   bool is_euclidean_;
 };
 
+/// How the offsets of a path with that end are trimmed and measured.
+struct Trimming {
+  Rational end;
+  std::function<TrimmedOffset(const Rational& d)> at;
+  std::function<BranchMeasure(const TrimmedOffset& trimmed, const TrimmedBranch& branch)> measure;
+};
+
 /// What is said of one that is trimmed.
 class TrimReport {
  public:
-  using Measuring = std::function<BranchMeasure(const TrimmedBranch& branch)>;
-
-  TrimReport(Rational end, const TrimmedOffset& trimmed, Measuring measuring, long digits)
-      : end_(std::move(end)),
-        trimmed_(trimmed),
-        measuring_(std::move(measuring)),
-        digits_(digits) {}
-  TrimReport(const PhPath& path, const TrimmedOffset& trimmed, long digits)
-      : TrimReport(
-            path.end(), trimmed,
-            [&](const TrimmedBranch& branch) { return phrame::measure(path, trimmed, branch); },
-            digits) {}
+  TrimReport(const Trimming& trimming, const TrimmedOffset& trimmed, long digits)
+      : trimming_(trimming), trimmed_(trimmed), digits_(digits) {}
 
   OffsetAnswer::Trimmed make() const {
     OffsetAnswer::Trimmed report{trimmed_.offset.distance, {}, undecided()};
@@ -167,10 +165,10 @@ class TrimReport {
     for (std::size_t k = 0; k < count; ++k) {
       const OffsetPart& part = branch.parts[k];
       report.pieces.push_back({end(part.piece, part.from), end(part.piece, part.to),
-                               is_join(part.piece), part.from.exact() != Rational(0),
+                               is_join(part.piece), part.piece, part.from.exact() != Rational(0),
                                part.to.exact() != Rational(1)});
     }
-    const BranchMeasure size = measuring_(branch);
+    const BranchMeasure size = trimming_.measure(trimmed_, branch);
     report.length = measure(size.length, "the length of a branch", digits_);
     if (size.area) report.area = measure(*size.area, "the area of a branch", digits_);
     return report;
@@ -179,28 +177,40 @@ class TrimReport {
   Real parameter(std::size_t piece, const Real& t) const {
     const OffsetPiece& of = trimmed_.offset.pieces[piece];
     if (!of.is_join) return t + Real(Rational(static_cast<long>(of.segment)));
-    return of.segment == 0 ? end_ : Rational(static_cast<long>(of.segment));
+    return of.segment == 0 ? trimming_.end : Rational(static_cast<long>(of.segment));
   }
 
   OffsetAnswer::End end(std::size_t piece, const Real& t) const {
     return boundary_end(trimmed_.offset.pieces[piece].curve, t, parameter(piece, t), digits_);
   }
 
-  Rational end_;
+  const Trimming& trimming_;
   const TrimmedOffset& trimmed_;
-  Measuring measuring_;
   long digits_;
 };
 
+/// Are they of the same segment, or the same part of what joins both at a corner? Where arcs are
+/// left out of one offset, pieces have other numbers.
+bool are_alike(const Offset& a, std::size_t of_a, const Offset& b, std::size_t of_b) {
+  const auto is_same = [](const OffsetPiece& x, const OffsetPiece& y) {
+    return x.segment == y.segment && x.is_join == y.is_join;
+  };
+  const auto is_second = [&](const std::vector<OffsetPiece>& pieces, std::size_t k) {
+    return k > 0 && is_same(pieces[k - 1], pieces[k]);
+  };
+  return is_same(a.pieces[of_a], b.pieces[of_b]) &&
+         is_second(a.pieces, of_a) == is_second(b.pieces, of_b);
+}
+
 /// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
-/// nearest point of the path, along the normal, there is a point of each before it, at the same
+/// nearest point of the path, along n or U, there is a point of each before it, at the same
 /// parameter of the same piece: so what a branch is inside of is told by that alone.
 class Pocket {
  public:
-  Pocket(const PhPath& path, const Rational& d, OffsetJoin join, long digits)
-      : path_(path), digits_(digits) {
+  Pocket(const Trimming& trimming, const Rational& d, long digits)
+      : trimming_(trimming), digits_(digits) {
     for (Rational sum = d;; sum += d) {
-      TrimmedOffset next = trimmed_offset(path, sum, join);
+      TrimmedOffset next = trimming.at(sum);
       if (next.branches.empty()) break;
       levels_.push_back(std::move(next));
     }
@@ -215,23 +225,22 @@ class Pocket {
 
  private:
   void add(std::size_t level, std::size_t branch) {
-    made_.push_back(TrimReport(path_, levels_[level], digits_).make(branch));
+    made_.push_back(TrimReport(trimming_, levels_[level], digits_).make(branch));
     if (level + 1 == levels_.size()) return;
-    const auto& inside = levels_[level + 1].branches;
-    for (std::size_t k = 0; k < inside.size(); ++k)
-      if (branch_around(level, inside[k]) == branch) add(level + 1, k);
+    for (std::size_t k = 0; k < levels_[level + 1].branches.size(); ++k)
+      if (branch_around(level, k) == branch) add(level + 1, k);
   }
 
   /// The branch of that level that the one of the next level is inside of; the first one where none
   /// of its middles is left there, as where lines coincide of which one is left.
-  std::size_t branch_around(std::size_t level, const TrimmedBranch& inner) const {
+  std::size_t branch_around(std::size_t level, std::size_t inner) const {
     constexpr long bits = 128;
-    const auto& branches = levels_[level].branches;
-    for (const OffsetPart& at : inner.parts) {
+    const auto& [offset, branches, undecided] = levels_[level];
+    for (const OffsetPart& at : levels_[level + 1].branches[inner].parts) {
       const Rational t = (at.from.enclose(bits).midpoint() + at.to.enclose(bits).midpoint()) / 2;
-      const auto has = [&](const OffsetPart& part) {
-        return part.piece == at.piece && part.from.enclose(bits).lower() <= t &&
-               t <= part.to.enclose(bits).upper();
+      const auto has = [&, &outer = offset](const OffsetPart& part) {
+        return are_alike(outer, part.piece, levels_[level + 1].offset, at.piece) &&
+               part.from.enclose(bits).lower() <= t && t <= part.to.enclose(bits).upper();
       };
       for (std::size_t k = 0; k < branches.size(); ++k)
         if (std::ranges::any_of(branches[k].parts, has)) return k;
@@ -239,22 +248,42 @@ class Pocket {
     return 0;
   }
 
-  const PhPath& path_;
+  const Trimming& trimming_;
   long digits_;
   std::vector<TrimmedOffset> levels_;
   std::vector<OffsetAnswer::Trimmed> made_;
 };
 
-std::vector<OffsetAnswer::Trimmed> pocket(const PhPath& path, const OffsetQuery& query) {
+std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trimming,
+                                          const OffsetQuery& query) {
   if (query.distances.size() != 1)
     throw DomainError("pocket: one distance is wanted, of which the others are multiples");
   const Rational& d = query.distances.front();
-  if (!path.closing_turn()) throw DomainError("pocket: the path is open");
-  if (!is_level(path.segments().front()))
+  if (!path.is_closed()) throw DomainError("pocket: the path is open");
+  const auto is_plane = [](const Segment& segment) {
+    return rational_curve(segment)->direction()[2].is_zero();
+  };
+  if (!std::ranges::all_of(path.segments(), is_plane))
     throw DomainError("offset: the path is in no plane z = const");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
-  return Pocket(path, d, query.join, query.digits).make();
+  return Pocket(trimming, d, query.digits).make();
+}
+
+/// Those that are asked for.
+std::vector<OffsetAnswer::Trimmed> trimmed(const Path& path, const Trimming& trimming,
+                                           const OffsetQuery& query) {
+  if (query.pocket) return pocket(path, trimming, query);
+  std::vector<OffsetAnswer::Trimmed> made;
+  for (const Rational& d : query.distances)
+    made.push_back(TrimReport(trimming, trimming.at(d), query.digits).make());
+  return made;
+}
+
+OffsetAnswer::Both both_of(const Rational& d, TwoSidedOffset offset) {
+  OffsetAnswer::Both both{d, std::move(offset), {}};
+  for (const RationalCurve& side : both.offset.sides) both.paths.emplace_back(side);
+  return both;
 }
 
 /// Of a path that is not PH.
@@ -264,6 +293,9 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   if (curve == nullptr || query.trim || query.pocket || !curve->direction()[2].is_zero())
     throw DomainError("offset: the path is not Pythagorean-hodograph");
   const OffsetKind kind = offset_kind(*curve);
+  if (kind.kind == OffsetKind::Kind::each_side && kind.radicand != 1)
+    throw DomainError(fmt::format("offset: the offset is rational over ℚ(√{}), not over ℚ",
+                                  to_string(kind.radicand)));
   if (kind.prime != 0)
     throw DomainError(fmt::format(
         "offset: the two-sided offset is rational over ℚ(√{}), not over ℚ, as y² = {} has no "
@@ -273,9 +305,7 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   std::vector<OffsetAnswer::Both> found;
   for (const Rational& d : query.distances) {
     if (d == 0) throw DomainError("offset: the distance is 0");
-    found.push_back({d, two_sided_offset(*curve, kind, d, query.digits), {}});
-    for (const RationalCurve& side : found.back().offset.sides)
-      found.back().paths.emplace_back(side);
+    found.push_back(both_of(d, two_sided_offset(*curve, kind, d, query.digits)));
   }
   return found;
 }
@@ -288,32 +318,69 @@ OffsetAnswer::Part part_of(const Rational& end, const Offset& offset, long digit
   return OffsetReport(end, offset, digits, is_euclidean).make();
 }
 
+/// Why there is none to either side.
+std::string reason(const GaugeOffsets::None& none) {
+  using Kind = OffsetKind::Kind;
+  std::string text = fmt::format("the irreducible factors of r' x U' are of degree {} in phi",
+                                 fmt::join(none.degrees, ", "));
+  if (!none.kind || none.kind->kind == Kind::undecided) return text;
+  const OffsetKind& kind = *none.kind;
+  if (kind.kind == Kind::none)
+    return text + fmt::format(
+                      ", and the discriminant of one has {} simple roots, so that both sides "
+                      "together are not rational, either",
+                      kind.squarefree.degree());
+  const std::string field = fmt::format("ℚ(√{})", to_string(kind.radicand));
+  if (kind.kind == Kind::each_side) return text + "; it is rational to each side over " + field;
+  return text + "; for both sides together it is rational" +
+         (kind.prime == 0
+              ? ""
+              : fmt::format(" over {}, not over ℚ, as y² = {} has no point modulo powers of {}",
+                            field, to_string(kind.squarefree), to_string(kind.prime)));
+}
+
+/// Of a path of one segment under a gauge.
+std::vector<OffsetAnswer::Both> both_sides(const RationalCurve& curve, const OffsetQuery& query,
+                                           const OffsetKind& kind) {
+  std::vector<OffsetAnswer::Both> found;
+  for (const Rational& d : query.distances) {
+    if (d == 0) throw DomainError("offset: the distance is 0");
+    found.push_back(both_of(d, two_sided_offset(curve, *query.gauge, kind, d, query.digits)));
+  }
+  return found;
+}
+
 OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
-  if (query.pocket) throw DomainError("pocket: under a gauge there are none");
   const GaugeOffsets offsets(named.path, *query.gauge);
-  if (offsets.none().size() == named.path.segments().size())
-    throw DomainError(fmt::format(
-        "offset: {} no rational offset under this gauge: the irreducible factors of r' x U' are of "
-        "degree {} in phi",
-        offsets.none().size() == 1 ? "the path has" : "all segments have",
-        fmt::join(offsets.none().front().degrees, ", ")));
+  const auto& none = offsets.none();
+  const auto& segments = named.path.segments();
+  const bool is_whole = !query.trim && !query.pocket;
+  if (is_whole && segments.size() == 1 && !none.empty() && none[0].kind && none[0].kind->conic) {
+    OffsetAnswer both{named, false, query.join, {}};
+    both.gauge = query.gauge;
+    both.both = both_sides(*rational_curve(segments.front()), query, *none[0].kind);
+    return both;
+  }
+  if (none.size() == segments.size())
+    throw DomainError(fmt::format("offset: {} no rational offset under this gauge: {}",
+                                  none.size() == 1 ? "the path has" : "all segments have",
+                                  reason(none.front())));
   OffsetAnswer answer{named, named.path.is_closed(), query.join, {}};
   answer.gauge = query.gauge;
   answer.without = offsets.none();
-  for (const Rational& d : query.distances) {
-    if (!query.trim) {
-      answer.offsets.push_back(
-          part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
-      continue;
-    }
-    const TrimmedOffset trimmed = trimmed_offset(named.path, *query.gauge, d, query.join);
-    answer.trimmed.push_back(
-        TrimReport(
-            named.path.end(), trimmed,
-            [&](const TrimmedBranch& branch) { return phrame::measure(trimmed, branch); },
-            query.digits)
-            .make());
+  if (query.trim || query.pocket) {
+    const auto at = [&](const Rational& d) {
+      return trimmed_offset(named.path, *query.gauge, d, query.join);
+    };
+    const auto measuring = [](const TrimmedOffset& offset, const TrimmedBranch& branch) {
+      return phrame::measure(offset, branch);
+    };
+    answer.trimmed = trimmed(named.path, {named.path.end(), at, measuring}, query);
+    return answer;
   }
+  for (const Rational& d : query.distances)
+    answer.offsets.push_back(
+        part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
   return answer;
 }
 
@@ -324,16 +391,17 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
   const auto path = named.path.with_preimages();
   if (!path) return {named, false, query.join, {}, {}, both_sides(named.path, query)};
   OffsetAnswer answer{named, path->closing_turn().has_value(), query.join, {}};
-  if (query.pocket)
-    answer.trimmed = pocket(*path, query);
-  else if (query.trim)
-    for (const Rational& d : query.distances)
-      answer.trimmed.push_back(
-          TrimReport(*path, trimmed_offset(*path, d, query.join), query.digits).make());
-  else
-    for (const Rational& d : query.distances)
-      answer.offsets.push_back(
-          part_of(path->end(), offset(*path, d, query.join), query.digits, true));
+  if (query.trim || query.pocket) {
+    const auto at = [&](const Rational& d) { return trimmed_offset(*path, d, query.join); };
+    const auto measuring = [&](const TrimmedOffset& offset, const TrimmedBranch& branch) {
+      return phrame::measure(*path, offset, branch);
+    };
+    answer.trimmed = trimmed(*path, {path->end(), at, measuring}, query);
+    return answer;
+  }
+  for (const Rational& d : query.distances)
+    answer.offsets.push_back(
+        part_of(path->end(), offset(*path, d, query.join), query.digits, true));
   return answer;
 }
 

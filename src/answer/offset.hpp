@@ -75,11 +75,12 @@ struct OffsetAnswer {
   using End = BoundaryEnd;
   /// What is left of the offset of one segment, or of what joins those at a corner.
   struct TrimmedPiece {
-    End from;          ///< at a corner its t is that of the corner
-    End to;            ///< likewise
-    bool is_join;      ///< is it what joins the offsets there?
-    bool is_cut_from;  ///< is the start one where the offset is cut?
-    bool is_cut_to;    ///< is the end?
+    End from;           ///< at a corner its t is that of the corner
+    End to;             ///< likewise
+    bool is_join;       ///< is it what joins the offsets there?
+    std::size_t piece;  ///< of the offset with `join`, or with round joins where that is `open`
+    bool is_cut_from;   ///< is the start one where the offset is cut?
+    bool is_cut_to;     ///< is the end?
   };
   /// What is left of it, as long as it goes on.
   struct Branch {
@@ -100,7 +101,7 @@ struct OffsetAnswer {
     std::vector<Branch> branches;             ///< by the places where they start
     std::vector<UndecidedStretch> undecided;  ///< where branches touch or coincide
   };
-  /// Both offsets of a curve that is not PH.
+  /// Both offsets of a curve of which none is rational by itself.
   struct Both {
     Rational distance;        ///< as asked
     TwoSidedOffset offset;    ///< one rational curve
@@ -113,7 +114,7 @@ struct OffsetAnswer {
   /// In that order, if they are. Of a pocket each is one branch: first one next to the path, and
   /// behind each branch those inside of it, so that one room comes after the other.
   std::vector<Trimmed> trimmed = {};
-  std::vector<Both> both = {};      ///< in that order, if the path is not PH
+  std::vector<Both> both = {};      ///< in that order, if the path is such a curve
   std::optional<Gauge> gauge = {};  ///< as asked
   /// The segments of which the offsets under the gauge are not rational, and left out.
   std::vector<GaugeOffsets::None> without = {};
@@ -122,8 +123,9 @@ struct OffsetAnswer {
 /// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
 /// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
 /// distance 0, as trimmed_offset(), and for a pocket of an open path, at several distances, or to
-/// the outside; under a gauge as GaugeOffsets, where no segment has a rational offset, with the
-/// degrees of the factors of that, as trimmed_offset(), and for pockets.
+/// the outside; under a gauge as GaugeOffsets, as trimmed_offset(), and where no segment has a
+/// rational offset nor one segment a two-sided one, with the degrees of the factors of that and the
+/// field that it needs.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

@@ -10,19 +10,27 @@ namespace phrame::inline v0 {
 struct OffsetCubics {
   std::vector<PlaneCubic> cubics;  ///< one after the other, as plane_cubics() has them
   bool is_closed;                  ///< do they end where they begin?
+  Rational tolerance;              ///< each is within that of the path, which is proved
 };
 /// All paths of an answer.
 struct OffsetDrawing {
   std::string question;             ///< "offset" or "envelope"
   std::string name;                 ///< of the path
   std::vector<OffsetCubics> paths;  ///< in their order
-  Rational tolerance;               ///< each is within that of the offset, which is proved
 };
-/// Within the tolerance, each.
+/// Within the tolerance, each, or, where that is less, within about 10⁻⁹ of its size: of distances
+/// that are far apart no curve is drawn to more than can be seen.
 std::vector<OffsetCubics> cubics_of(const std::vector<Path>& paths, const Rational& tolerance);
 /// 10⁻⁶ of the least distance, or of the greatest radius.
 Rational drawing_tolerance(const OffsetAnswer& answer);
 Rational drawing_tolerance(const EnvelopeAnswer& answer);
+/// The least and the greatest tolerance of some paths.
+struct ToleranceRange {
+  Rational least = 0;
+  Rational greatest = 0;
+
+  void add(const std::vector<OffsetCubics>& paths);
+};
 /// Within that.
 OffsetDrawing drawing(const OffsetAnswer& answer);
 OffsetDrawing drawing(const EnvelopeAnswer& answer);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -30,94 +31,129 @@ class Whole {
     if (answer.gauge) under_gauge_.emplace(path_, *answer.gauge);
   }
 
-  Offset at(const Rational& d) const {
-    return under_gauge_ ? under_gauge_->at(d, join_) : offset(*ph_, d, join_);
+  Offset at(const Rational& d) const { return at(d, join_); }
+  /// With the pieces that trimmed ones have.
+  Offset before_trimming(const Rational& d) const {
+    return at(d, join_ == OffsetJoin::open ? OffsetJoin::round : join_);
   }
 
-  /// Those for which is_wanted(t).
+  /// Those for which is_wanted(piece, its parameter).
   template <class Is>
   std::vector<OffsetSample> samples(const Offset& offset, const Is& is_wanted) const {
     const long steps = steps_of(path_.segments().size());
     std::vector<OffsetSample> list;
-    for (const OffsetPiece& piece : offset.pieces) {
-      if (piece.is_join) continue;
-      for (long k = 0; k <= steps; ++k) {
-        const Rational u(k, steps);
-        const Rational t = Rational(static_cast<long>(piece.segment)) + u;
-        if (!is_wanted(t)) continue;
-        const Vector<Real> of = position(path_, Place(piece.segment, u));
-        list.push_back({t, sampled(position(piece.curve, u)), {*of[0].exact(), *of[1].exact()}});
-      }
-    }
+    for (std::size_t piece = 0; piece < offset.pieces.size(); ++piece)
+      for (long k = 0; k <= steps; ++k)
+        if (is_wanted(piece, Rational(k, steps)))
+          list.push_back(sample(offset.pieces[piece], Rational(k, steps)));
     return list;
   }
 
  private:
+  Offset at(const Rational& d, OffsetJoin join) const {
+    return under_gauge_ ? under_gauge_->at(d, join) : offset(*ph_, d, join);
+  }
+
+  /// Of what joins the offsets at a corner, t and the point of the path are those of the corner.
+  OffsetSample sample(const OffsetPiece& piece, const Rational& u) const {
+    const Rational first(static_cast<long>(piece.segment));
+    const Rational t = !piece.is_join      ? Rational(first + u)
+                       : piece.segment > 0 ? first
+                                           : path_.end();
+    const Vector<Real> of = position(path_, Place(piece.segment, piece.is_join ? Rational(0) : u));
+    return {t, piece.is_join, sampled(position(piece.curve, u)), {*of[0].exact(), *of[1].exact()}};
+  }
+
   const Path& path_;
   OffsetJoin join_;
   std::optional<PhPath> ph_;
   std::optional<GaugeOffsets> under_gauge_;
 };
 
-/// For which t are points left? Only those inside of a part, so not at joints, are said to be.
+/// Which points of curves are left? Only those inside of a part, so not at joints, are said to be.
 class Left {
  public:
-  void add(const BoundaryEnd& from, const BoundaryEnd& to) {
+  void add(std::size_t curve, const Real& from, const Real& to) {
     constexpr long bits = 96;
-    parts_.emplace_back(from.t.enclose(bits).upper(), to.t.enclose(bits).lower());
+    parts_.emplace(curve, std::pair(from.enclose(bits).upper(), to.enclose(bits).lower()));
   }
 
-  bool operator()(const Rational& t) const {
-    return std::ranges::any_of(parts_,
-                               [&](const auto& part) { return part.first < t && t < part.second; });
+  bool operator()(std::size_t curve, const Rational& t) const {
+    const auto [first, last] = parts_.equal_range(curve);
+    return std::any_of(first, last, [&](const auto& part) {
+      return part.second.first < t && t < part.second.second;
+    });
   }
 
  private:
-  std::vector<std::pair<Rational, Rational>> parts_;
+  std::multimap<std::size_t, std::pair<Rational, Rational>> parts_;
 };
 
+/// By pieces.
 Left left_of(const OffsetAnswer::Trimmed& trimmed) {
   Left left;
   for (const auto& branch : trimmed.branches)
-    for (const auto& piece : branch.pieces)
-      if (!piece.is_join) left.add(piece.from, piece.to);
+    for (const auto& piece : branch.pieces) left.add(piece.piece, piece.from.share, piece.to.share);
   return left;
 }
 
-/// Of what goes on that side of the axis, to the left backwards.
-Left left_of(const EnvelopeAnswer& answer, EnvelopePiece::Kind kind) {
+/// Of the two sides, by t of the axis, to the left backwards.
+Left left_of(const EnvelopeAnswer& answer) {
   Left left;
   for (const auto& branch : answer.branches)
     for (const auto& piece : branch.pieces)
-      if (piece.kind == kind && kind == EnvelopePiece::Kind::right)
-        left.add(piece.from, piece.to);
-      else if (piece.kind == kind)
-        left.add(piece.to, piece.from);
+      if (piece.kind == EnvelopePiece::Kind::right)
+        left.add(0, piece.from.t, piece.to.t);
+      else if (piece.kind == EnvelopePiece::Kind::left)
+        left.add(1, piece.to.t, piece.from.t);
   return left;
+}
+
+/// Of both sides: of a short t there is one m on each of them.
+std::vector<OffsetSample> samples_of(const TwoSidedOffset& offset, const RationalCurve& curve) {
+  const RationalFunction& t_of_m = offset.parameter;
+  const long steps = steps_of(1);
+  std::vector<OffsetSample> list;
+  for (const auto& [from, to] : offset.ends)
+    for (long k = 1; k < steps; ++k) {
+      const Rational t(k, steps);
+      const auto found = real_roots(t_of_m.numerator() - t * t_of_m.denominator(),
+                                    closed_interval(std::min(from, to), std::max(from, to)));
+      if (found.empty()) continue;  // m at the ends is rounded
+      const Place m(0, to_real(found.front().at));
+      const Vector<Rational> of = point(curve, t);
+      const auto at = [&](std::size_t j) { return value({offset.numerator[j], offset.weight}, m); };
+      list.push_back({t, false, sampled({at(0), at(1), Rational(0)}), {of[0], of[1]}});
+    }
+  return list;
 }
 
 }  // namespace
 
 OffsetPicture picture(const OffsetAnswer& answer) {
-  OffsetPicture found{{}, {}, drawing_tolerance(answer)};
-  found.path = cubics_of({answer.path.path}, found.tolerance);
+  const Rational tolerance = drawing_tolerance(answer);
+  OffsetPicture found{cubics_of({answer.path.path}, tolerance), {}};
   for (const auto& part : answer.both)
-    found.layers.push_back({cubics_of(part.paths, found.tolerance), {}, {}});
+    found.layers.push_back(
+        {cubics_of(part.paths, tolerance),
+         {},
+         samples_of(part.offset, *rational_curve(answer.path.path.segments().front()))});
   if (!answer.both.empty()) return found;
   const Whole whole(answer);
   for (const auto& part : answer.offsets)
-    found.layers.push_back(
-        {cubics_of(part.paths, found.tolerance),
-         {},
-         whole.samples(whole.at(part.distance), [](const Rational&) { return true; })});
+    found.layers.push_back({cubics_of(part.paths, tolerance),
+                            {},
+                            whole.samples(whole.at(part.distance),
+                                          [](std::size_t, const Rational&) { return true; })});
   std::map<Rational, Offset> at;
   for (const auto& part : answer.trimmed) {
     OffsetPicture::Layer layer;
     for (const auto& branch : part.branches)
-      for (OffsetCubics& path : cubics_of(branch.paths, found.tolerance))
+      for (OffsetCubics& path : cubics_of(branch.paths, tolerance))
         layer.paths.push_back(std::move(path));
-    const auto [place, is_new] = at.try_emplace(part.distance, whole.at(part.distance));
-    if (is_new) layer.whole = cubics_of(paths(place->second), found.tolerance);
+    const auto [place, is_new] =
+        at.try_emplace(part.distance, whole.before_trimming(part.distance));
+    if (is_new) layer.whole = cubics_of(paths(whole.at(part.distance)), tolerance);
     layer.samples = whole.samples(place->second, left_of(part));
     found.layers.push_back(std::move(layer));
   }
@@ -125,26 +161,26 @@ OffsetPicture picture(const OffsetAnswer& answer) {
 }
 
 OffsetPicture picture(const EnvelopeAnswer& answer) {
-  OffsetPicture found{{}, {{}}, drawing_tolerance(answer)};
+  const Rational tolerance = drawing_tolerance(answer);
+  OffsetPicture found{{}, {{}}};
   OffsetPicture::Layer& layer = found.layers.front();
-  layer.paths = cubics_of(all_paths(answer), found.tolerance);
+  layer.paths = cubics_of(all_paths(answer), tolerance);
   const long steps = steps_of(answer.segments.size());
-  const std::array<Left, 2> left{left_of(answer, EnvelopePiece::Kind::right),
-                                 left_of(answer, EnvelopePiece::Kind::left)};
+  const Left left = left_of(answer);
   for (std::size_t k = 0; k < answer.segments.size(); ++k) {
     const auto& segment = answer.segments[k];
     const Vector<Polynomial> center = position(segment.curve);
     const RationalCurve axis({center[0], center[1], {}});
-    for (OffsetCubics& path : cubics_of({Path(segment_of(axis))}, found.tolerance))
+    for (OffsetCubics& path : cubics_of({Path(segment_of(axis))}, tolerance))
       found.path.push_back(std::move(path));
     for (std::size_t side = 0; side < 2; ++side) {
       const auto& curve = (side == 0 ? segment.right : segment.left).curve;
       for (long step = 0; curve && step <= steps; ++step) {
         const Rational u(step, steps);
         const Rational t = Rational(static_cast<long>(k)) + u;
-        if (answer.is_trimmed && !left[side](t)) continue;
+        if (answer.is_trimmed && !left(side, t)) continue;
         const Vector<Rational> of = point(axis, u);
-        layer.samples.push_back({t, sampled(position(*curve, Place(0, u))), {of[0], of[1]}});
+        layer.samples.push_back({t, false, sampled(position(*curve, Place(0, u))), {of[0], of[1]}});
       }
     }
   }

@@ -6,6 +6,7 @@ namespace phrame::inline v0 {
 /// A point of an offset or an envelope, by the point of the path that it belongs to.
 struct OffsetSample {
   Rational t;                  ///< of the path
+  bool is_join;                ///< is it on what joins the offsets at the corner there?
   std::array<Decimal, 2> at;   ///< x and y, correctly rounded
   std::array<Rational, 2> of;  ///< the point of the path there
 };
@@ -16,16 +17,14 @@ struct OffsetPicture {
   struct Layer {
     std::vector<OffsetCubics> paths;    ///< the offset, or what is left of it
     std::vector<OffsetCubics> whole;    ///< all of a trimmed offset, once for each distance
-    std::vector<OffsetSample> samples;  ///< along `paths`, but for joins; ascending in each
+    std::vector<OffsetSample> samples;  ///< along `paths`
   };
   std::vector<OffsetCubics> path;  ///< as asked
   std::vector<Layer> layers;       ///< in the order of the answer
-  Rational tolerance;              ///< each cubic is within that of its curve, which is proved
 };
-/// Within 10⁻⁶ of the least distance. A curve that is not PH has no samples: its offset has another
-/// parameter.
+/// Within drawing_tolerance(), as cubics_of() has it.
 OffsetPicture picture(const OffsetAnswer& answer);
-/// Within 10⁻⁶ of the greatest radius; points belong to the centers of their discs.
+/// The same; points belong to the centers of their discs.
 OffsetPicture picture(const EnvelopeAnswer& answer);
 
 }  // namespace phrame

@@ -69,7 +69,7 @@ BoundaryEnd boundary_end(const RationalCurve& curve, const Real& t, const Real& 
     return rounded_as_known(value({curve.numerator()[k], curve.weight()}, Place(0, t)),
                             "a point of the boundary", digits);
   };
-  return {of_path, rounded_as_known(of_path, "t of a cut", digits), {at(0), at(1)}};
+  return {of_path, t, rounded_as_known(of_path, "t of a cut", digits), {at(0), at(1)}};
 }
 
 }  // namespace phrame

@@ -76,7 +76,8 @@ bool is_in_plane(const Segment& segment) {
   return curve != nullptr && curve->direction()[2].is_zero();
 }
 
-/// A PH path, or a curve in a plane of which the offset may be rational for both sides together.
+/// A PH path, or a curve in a plane of which the offset may be rational for both sides together, or
+/// over another field.
 NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
@@ -92,9 +93,11 @@ NamedPath read_curve(CurveOptions options) {
     if (!other || !std::ranges::all_of(other->path.segments(), is_in_plane))
       std::rethrow_exception(not_ph);
     const auto& segments = other->path.segments();
-    if (segments.size() == 1 &&
-        offset_kind(*rational_curve(segments.front())).kind == OffsetKind::Kind::two_sided)
-      return options.read_any_path();
+    using Kind = OffsetKind::Kind;
+    const Kind kind = segments.size() > 1
+                          ? Kind::none
+                          : offset_kind(*rational_curve(segments.front())).kind;
+    if (kind == Kind::two_sided || kind == Kind::each_side) return options.read_any_path();
     throw InputError(name_of_file(options.path),
                      "the path is not PH, so that its offset is not rational: with --near EPS that "
                      "of a PH path at most EPS away is taken");
@@ -213,8 +216,8 @@ void add_offset(Program& program) {
       "-o,--output", "FILE", options->output,
       "write the offset to this file, beside the report: a curve file, several paths\n"
       "a line each; as .dxf a spline for each; as .svg by cubics within |d|/1000000,\n"
-      "proved; as .html a page for a browser: path, offsets, marks at cusps, meetings\n"
-      "and cuts, lengths, the report");
+      "or 1/1000000000 of their size, proved; as .html a page for a browser: path,\n"
+      "offsets, marks at cusps, meetings and cuts, lengths, the report");
   command.writes("a curve in JSON, DXF or SVG there, or a page",
                  {"json", "jsonl", "dxf", "svg", "html", "htm"});
   command.add_format(
@@ -224,7 +227,7 @@ void add_offset(Program& program) {
   options->length.add_to(command);
   command.only_with({"--tol"}, {"--check"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
-  command.not_with({"--pocket", "--check"}, {"--gauge"});
+  command.not_with({"--check"}, {"--gauge"});
   command.set_notes(
       "The offset r + d n of a PH curve of degree n in a plane z = const is a rational curve of\n"
       "degree 2n - 1, with exact control points and weights, which all commands read. Its cusps\n"
@@ -240,7 +243,7 @@ void add_offset(Program& program) {
       "With --gauge the unit circle is a curve U, whole for phi from -infinity to infinity: the\n"
       "offset is rational, and exact, where r' x U' has a factor of degree 1 in phi; segments "
       "that\n"
-      "have none are left out, with the exit status 1.\n"
+      "have none are left out, with the exit status 1, and told what they would need.\n"
       "With --check the exit status is 1 where what is given is not proved to be within --tol.\n"
       "Examples:\n"
       "  phrame offset curve.json --distance 1/2\n"

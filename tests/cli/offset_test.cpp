@@ -179,6 +179,21 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
     const double x = std::stod(branch["parts"][0]["from"]["point"][0]["value"].get<std::string>());
     CHECK((x < 10) == (k < 6));
   }
+  // Rooms with rounded corners, of which the arcs are left out at one distance, and pieces have
+  // other numbers there than at the next ones.
+  const std::string rounded =
+      "M1,0 L9,0 A1,1 0 0 1 10,1 L10,4.1 L14,4.1 L14,0 L24,0 L24,10 L14,10 L14,5.9 L10,5.9 L10,9 "
+      "A1,1 0 0 1 9,10 L1,10 A1,1 0 0 1 0,9 L0,1 A1,1 0 0 1 1,0 Z";
+  here.write("rounded.svg", "<svg><path d='" + rounded + "'/></svg>");
+  const Run of_rounded = here.run("offset rounded.svg --distance -1 --pocket --print json");
+  check_success(of_rounded);
+  const Json levels = Json::parse(of_rounded.out)["trimmed"];
+  REQUIRE(levels.size() == 10);
+  for (std::size_t k = 0; k < 10; ++k) {
+    CHECK(levels[k]["distance"] == std::to_string(-static_cast<long>(k % 5) - 1));
+    const Json& at = levels[k]["branches"][0]["parts"][0]["from"]["point"][0]["value"];
+    CHECK((std::stod(at.get<std::string>()) < 12) == (k < 5));
+  }
   check_failure(here.run("offset rooms.json --distance 1 --pocket -o off.dxf"), 3,
                 "phrame: pocket: the distance 1 is to the outside of the path\n");
   here.write("corner.json", corner);
@@ -313,6 +328,50 @@ TEST_CASE("offset: as a page, trimmed: what is left, what is cut away, and cuts"
     const double x = number(sample[1]), y = number(sample[2]);
     CHECK(std::min({y, 4 - x, (3 * x - 4 * y) / 5}) == doctest::Approx(0.5));
   }
+}
+
+TEST_CASE("offset: a page tells of points on joins") {
+  const Workshop here;
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  const std::array<std::array<double, 2>, 3> corners{{{4, 0}, {4, 3}, {0, 0}}};
+  for (const char* options : {"", " --trim", " --trim --join mitre", " --trim --join open"}) {
+    CAPTURE(options);
+    check_success(
+        here.run("offset triangle.json --distance 1/2 -o out.html" + std::string(options)));
+    const Json layers = layers_of(bytes_of(here.file("out.html")));
+    std::size_t on_joins = 0;
+    for (const Json& sample : layers[0]["samples"]) {
+      if (sample.size() == 7) continue;
+      ++on_joins;
+      const auto k = static_cast<std::size_t>(std::stol(sample[0].get<std::string>()) - 1);
+      const double x = number(sample[1]) - corners[k][0];
+      const double y = number(sample[2]) - corners[k][1];
+      if (contains(options, "mitre"))
+        CHECK(std::hypot(x, y) > 0.5 - 1e-9);
+      else
+        CHECK(std::hypot(x, y) == doctest::Approx(0.5));
+    }
+    // Of the arcs at the acute angles there are two each. Ends that are joints are left out where
+    // it is trimmed.
+    CHECK((on_joins > 300) == !contains(options, "open"));
+    if (contains(options, "open")) CHECK(on_joins == 0);
+  }
+}
+
+TEST_CASE("offset: drawn where distances are far apart, each within a share of its size") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  check_success(here.run("offset turn.json --distance 1,1e60,-1e-60 -o far.svg"));
+  const std::string svg = bytes_of(here.file("far.svg"));
+  CHECK(contains(svg, "cubics within 1.0e-10 to 1.0e51 of it"));
+  CHECK(svg.size() < 200'000);
+  check_success(here.run("offset turn.json --distance 1,1e60,-1e-60 -o far.html"));
+  CHECK(contains(bytes_of(here.file("far.html")), "within 1.0e-10 to 1.0e51 of the exact curves"));
+  // Next to each other they are as they were: 10^-6 of the least distance.
+  check_success(here.run("offset turn.json --distance 1,1/2 -o near.svg"));
+  CHECK(contains(bytes_of(here.file("near.svg")), "cubics within 5.0e-7 of it"));
 }
 
 TEST_CASE("offset --check: what somebody else has is judged from both sides, with proof") {
@@ -457,15 +516,26 @@ TEST_CASE("offset --gauge: an ellipse, by its file or as SVG, and the unit circl
   CHECK(answer["offsets"][0]["paths"][0]["control_points"][0] == Json({"0", "-2", "0"}));
   CHECK(contains(here.run("offset wide.json --distance 1 --gauge ellipse.svg --print latex").out,
                  "\\varphi"));
-  check_failure(here.run("offset turn.json --distance 1 --gauge ellipse.svg -o off.json"), 3,
-                "phrame: offset: the path has no rational offset under this gauge: the irreducible "
-                "factors of r' x U' are of degree 2 in phi\n");
+  check_failure(
+      here.run("offset turn.json --distance 1 --gauge ellipse.svg -o off.json"), 3,
+      "phrame: offset: the path has no rational offset under this gauge: the irreducible "
+      "factors of r' x U' are of degree 2 in phi, and the discriminant of one has 4 simple "
+      "roots, so that both sides together are not rational, either\n");
   here.write("slant.json", R"({"phrame": "spline/1", "segments": [
       {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [2, 1, 0]]}]})");
   const Run slant = here.run("offset slant.json --distance 1 --gauge ellipse.svg");
   CHECK(slant.status == 1);
-  CHECK(
-      contains(slant.out, "of segment 2: the irreducible factors of r′ × U′ are of degree 2 in φ"));
+  // 1/√(3² + 2²) is in U.
+  CHECK(contains(slant.out,
+                 "of segment 2: the irreducible factors of r′ × U′ are of degree 2 in φ; rational "
+                 "to each side, over ℚ(√13)"));
+  here.write("line.svg", "<svg><path d='M0,0 L1,1'/></svg>");
+  check_failure(here.run("offset line.svg --distance 1"), 3,
+                "phrame: offset: the offset is rational over ℚ(√2), not over ℚ\n");
+  check_failure(here.run("offset line.svg --distance 1 --gauge ellipse.svg"), 3,
+                "phrame: offset: the path has no rational offset under this gauge: the irreducible "
+                "factors of r' x U' are of degree 2 in phi; it is rational to each side over "
+                "ℚ(√13)\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
 
@@ -484,6 +554,59 @@ TEST_CASE("offset --gauge --trim: a rectangle under an ellipse is a smaller rect
   CHECK(branches[0]["area"]["exact"] == "5/2");
 }
 
+TEST_CASE("offset --gauge --pocket: rectangles under an ellipse, until nothing is left") {
+  const Workshop here;
+  here.write("ellipse.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [3, 0, -3], "y": [0, 4], "w": [1, 0, 1]}})");
+  here.write("box.svg", R"(<svg><path d="M0,0 L4,0 L4,2 L0,2 Z"/></svg>)");
+  const Run run =
+      here.run("offset box.svg --distance -1/7 --pocket --gauge ellipse.json --print json");
+  check_success(run);
+  const Json found = Json::parse(run.out)["trimmed"];
+  REQUIRE(found.size() == 3);
+  for (long k = 1; k <= 3; ++k) {  // by 3/7 to the sides, and by 2/7 up and down
+    const Json& level = found[static_cast<std::size_t>(k - 1)];
+    const Rational a = 4 - Rational(6 * k, 7);
+    const Rational b = 2 - Rational(4 * k, 7);
+    REQUIRE(level["branches"].size() == 1);
+    CHECK(level["distance"] == to_string(Rational(-k, 7)));
+    CHECK(level["branches"][0]["area"]["exact"] == to_string(Rational(a * b)));
+    CHECK(level["branches"][0]["length"]["exact"] == to_string(Rational(2 * (a + b))));
+  }
+  check_failure(here.run("offset box.svg --distance 1/7 --pocket --gauge ellipse.json"), 3,
+                "phrame: pocket: the distance 1/7 is to the outside of the path\n");
+  here.write("corner.json", corner);
+  check_failure(here.run("offset corner.json --distance 1/7 --pocket --gauge ellipse.json"), 3,
+                "phrame: pocket: the path is open\n");
+}
+
+TEST_CASE("offset --gauge: of a parabola both sides are one rational curve") {
+  const Workshop here;
+  here.write("ellipse.svg", R"(<svg><ellipse rx="3" ry="2"/></svg>)");
+  here.write(
+      "parabola.json",
+      R"({"phrame": "curve/1", "basis": "power", "position": {"x": [0, 1], "y": [0, 0, 1]}})");
+  const Run run = here.run(
+      "offset parabola.json --distance 1/2,-1/2 --gauge ellipse.svg --print json -o both.html");
+  check_success(run);
+  const Json answer = Json::parse(run.out);
+  CHECK(answer["without"].empty());
+  REQUIRE(answer["both"].size() == 2);
+  // U is (9·2t, −4·1)/√(9·4t² + 4) to the right of (1, 2t).
+  const Json layers = layers_of(bytes_of(here.file("both.html")));
+  for (const std::size_t layer : {0U, 1U}) {
+    const double d = layer == 0 ? 0.5 : -0.5;
+    const Json& samples = layers[layer]["samples"];
+    REQUIRE(samples.size() == 2 * 199);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const auto t = static_cast<double>(parse_rational(samples[k][0].get<std::string>()));
+      const double e = (k < 199 ? d : -d) / std::sqrt(36 * t * t + 4);
+      CHECK(std::abs(number(samples[k][1]) - (t + e * 18 * t)) < 1e-11);
+      CHECK(std::abs(number(samples[k][2]) - (t * t - e * 4)) < 1e-11);
+    }
+  }
+}
+
 TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused in one line") {
   const Workshop here;
   here.write("turn.json", turn);
@@ -499,11 +622,9 @@ TEST_CASE("offset --gauge: what is no gauge, or does not go with one, is refused
          "strictly convex: U' x U'' = 0 at phi");
   here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
       "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
-  for (const char* option : {"--pocket", "--check turn.json"})
-    check_failure(
-        here.run(std::string("offset turn.json --distance 1 --gauge circle.json -o off.json ") +
-                 option),
-        2, "phrame: --");
+  check_failure(
+      here.run("offset turn.json --distance 1 --gauge circle.json -o off.json --check turn.json"),
+      2, "phrame: --");
   check_failure(here.run("offset turn.json --distance 0 --gauge circle.json -o off.json"), 2,
                 "phrame: --distance: 0 is no distance\n");
   check_failure(
@@ -528,7 +649,7 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   CHECK(std::abs(number("length") - (perimeter + std::numbers::pi)) < 1e-8);
   CHECK(std::abs(number("area") - (3 + perimeter / 2 + std::numbers::pi / 4)) < 1e-8);
   here.write("points.csv", "x,y\n0,0\n1,1\n2,0\n");
-  check_success(here.run("offset points.csv --kind polyline --distance 1/2 --near 1e-9"));
+  CHECK(here.run("offset points.csv --kind polyline --distance 1/2 --near 1e-9").status == 0);
   check_failure(
       here.run("offset triangle.svg --distance 1/2 -o off.json"), 2,
       "phrame: triangle.svg: the path is not PH, so that its offset is not rational: with "

@@ -166,6 +166,8 @@ def check_command_line(folder):
     (here / "ellipse").write_text(ELLIPSE)
     (here / "slant.offset").write_text(SLANT)
     ask("offset", here / "slant.offset", "--distance", "1/2", "--gauge", here / "ellipse", "--print", "json")
+    ask("offset", here / "parabola.offset", "--distance", "1/2", "--gauge", here / "ellipse", "--print", "json")
+    ask("offset", here / "corner.offset", "--distance", "1/2", "--trim", "--gauge", here / "ellipse", "--print", "json")
     ask("offset", here / "corner.offset", "--distance", "1/2", "--check", here / "turn.offset", "--print", "json")
     quintic = ROOT / "examples" / "curves" / "farouki-2003-quintic.json"
     rational = ROOT / "examples" / "curves" / "rational-frame-quintic.json"

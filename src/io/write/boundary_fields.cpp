@@ -50,6 +50,46 @@ std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
   return exact + " ≈ " + digits;
 }
 
+std::string in_words(const OffsetKind& offset, const std::string& radicand, Notation notation) {
+  using Kind = OffsetKind::Kind;
+  const auto field = [&] {
+    return offset.radicand == 1
+               ? ""
+               : ", over " + formula(fmt::format("ℚ(√{})", to_string(offset.radicand)), notation);
+  };
+  switch (offset.kind) {
+    case Kind::each_side:
+      return "rational to each side" + field();
+    case Kind::none:
+      return fmt::format("not rational: {} has {} simple roots", radicand,
+                         offset.squarefree.degree());
+    case Kind::undecided:
+      return "undecided";
+    case Kind::two_sided:
+      break;
+  }
+  if (offset.prime != 0)
+    return fmt::format(
+        "rational for both sides together{}, as $y² = $ {} has no point modulo powers of {}",
+        field(), in_words(offset.squarefree, notation), to_string(offset.prime));
+  if (!offset.conic) return "rational for both sides together";
+  return "rational for both sides together, by " + formula("t =", notation) + " " +
+         formula(formatted_quotient((*offset.conic->form)[0], notation, "m"), notation);
+}
+
+JsonOutput json_of(const OffsetKind& offset) {
+  using Kind = OffsetKind::Kind;
+  JsonOutput said = {{"kind", offset.kind == Kind::each_side   ? "each-side"
+                              : offset.kind == Kind::two_sided ? "two-sided"
+                              : offset.kind == Kind::none      ? "none"
+                                                               : "undecided"},
+                     {"squarefree", json_of(offset.squarefree)},
+                     {"radicand", to_string(offset.radicand)}};
+  if (offset.prime != 0) said["no_point_modulo"] = to_string(offset.prime);
+  if (offset.conic) said["t"] = json_of((*offset.conic->form)[0]);
+  return said;
+}
+
 std::string write_named(const std::string& name, const std::vector<Path>& paths) {
   std::vector<NamedPath> named;
   for (const Path& path : paths) named.emplace_back(name, path);

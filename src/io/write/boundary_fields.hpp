@@ -26,6 +26,9 @@ JsonOutput json_of(const BoundaryEnd& end);
 std::string in_words(const OffsetAnswer::Place& place, Notation notation);
 /// "17/3 + 2π ≈ 11.9", or the digits alone.
 std::string in_words(const OffsetAnswer::Measure& x, Notation notation);
+/// "rational to each side, over ℚ(√3)", by what is under the square root, in words.
+std::string in_words(const OffsetKind& offset, const std::string& radicand, Notation notation);
+JsonOutput json_of(const OffsetKind& offset);
 /// As curve files, each with that name.
 std::string write_named(const std::string& name, const std::vector<Path>& paths);
 

@@ -1,4 +1,5 @@
 #include "phrame/io/write/answers.hpp"
+#include "phrame/io/write/boundary_fields.hpp"
 
 #include <algorithm>
 
@@ -104,50 +105,11 @@ Field bends_field(const std::vector<InfoAnswer::Bend>& bends) {
                                                 }}};
 }
 
-std::string in_words(const OffsetKind& offset, Notation notation) {
-  using Kind = OffsetKind::Kind;
-  const auto field = [&] {
-    return offset.radicand == 1
-               ? ""
-               : ", over " + formula(fmt::format("ℚ(√{})", to_string(offset.radicand)), notation);
-  };
-  switch (offset.kind) {
-    case Kind::each_side:
-      return "rational to each side" + field();
-    case Kind::none:
-      return fmt::format("not rational: $x′² + y′²$ has {} simple roots",
-                         offset.squarefree.degree());
-    case Kind::undecided:
-      return "undecided";
-    case Kind::two_sided:
-      break;
-  }
-  if (offset.prime != 0)
-    return fmt::format(
-        "rational for both sides together{}, as $y² = $ {} has no point modulo powers of {}",
-        field(), in_words(offset.squarefree, notation), to_string(offset.prime));
-  if (!offset.conic) return "rational for both sides together";
-  return "rational for both sides together, by " + formula("t =", notation) + " " +
-         formula(formatted_quotient((*offset.conic->form)[0], notation, "m"), notation);
-}
-
 Field offset_field(const OffsetKind& offset) {
-  using Kind = OffsetKind::Kind;
-  const auto json = [&offset] {
-    JsonOutput said = {{"kind", offset.kind == Kind::each_side   ? "each-side"
-                                : offset.kind == Kind::two_sided ? "two-sided"
-                                : offset.kind == Kind::none      ? "none"
-                                                                 : "undecided"},
-                       {"squarefree", json_of(offset.squarefree)},
-                       {"radicand", to_string(offset.radicand)}};
-    if (offset.prime != 0) said["no_point_modulo"] = to_string(offset.prime);
-    if (offset.conic) said["t"] = json_of((*offset.conic->form)[0]);
-    return said;
+  const auto words = [&offset](Notation notation) {
+    return in_words(offset, "$x′² + y′²$", notation);
   };
-  return {
-      "offset",
-      "offset",
-      {Value::Words([&offset](Notation notation) { return in_words(offset, notation); }), json}};
+  return {"offset", "offset", {Value::Words(words), [&offset] { return json_of(offset); }}};
 }
 
 Field complex_field(const ComplexForm& form, const Polynomial& f) {

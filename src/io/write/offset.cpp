@@ -250,14 +250,18 @@ Fields gauge_fields(const OffsetAnswer& answer) {
   };
   const auto rows = [&](Notation notation) {
     std::vector<std::string> list;
-    for (const auto& [segment, degrees] : answer.without)
+    for (const auto& [segment, degrees, kind] : answer.without) {
       list.push_back(fmt::format(
           "of segment {}: the irreducible factors of {} are of degree {} in {}", segment + 1,
           formula("r′ × U′", notation), fmt::join(degrees, ", "), formula("φ", notation)));
+      if (kind) list.back() += "; " + in_words(*kind, "the discriminant of one", notation);
+    }
     return list;
   };
-  const auto without = [](const GaugeOffsets::None& none) -> JsonOutput {
-    return {{"segment", none.segment}, {"degrees", none.degrees}};
+  const auto without = [](const GaugeOffsets::None& none) {
+    JsonOutput said = {{"segment", none.segment}, {"degrees", none.degrees}};
+    if (none.kind) said["offset"] = json_of(*none.kind);
+    return said;
   };
   return {{"gauge", "gauge $U(φ)$", {Value::Words(words), json}},
           {"without", "no rational offset", {Value::Rows(rows), [&answer, without] {

@@ -270,26 +270,38 @@ std::size_t undecided(const OffsetAnswer& answer) {
   return count;
 }
 
-/// For each layer its label and, as lists, t, the point, where this is drawn, and where that of the
-/// path is.
+/// For each layer its label and, as lists, t, the point, where this is drawn, where that of the
+/// path is, and 1 on joins.
 std::string data_text(const PageParts& parts, const Canvas& canvas) {
   JsonOutput data = JsonOutput::array();
   for (std::size_t k = 0; k < parts.labels.size(); ++k) {
     const auto json = [&](const OffsetSample& sample) -> JsonOutput {
       const auto at = canvas.near(sample.at);
       const auto of = canvas.near(sample.of);
-      return {shown(sample.t),
-              with_minus_sign(sample.at[0].value),
-              with_minus_sign(sample.at[1].value),
-              at[0],
-              at[1],
-              of[0],
-              of[1]};
+      JsonOutput row{shown(sample.t),
+                     with_minus_sign(sample.at[0].value),
+                     with_minus_sign(sample.at[1].value),
+                     at[0],
+                     at[1],
+                     of[0],
+                     of[1]};
+      if (sample.is_join) row.push_back(1);
+      return row;
     };
     data.push_back({{"label", abridged(parts.labels[k])},
                     {"samples", array_of(parts.picture.layers[k].samples, json)}});
   }
   return data.dump();
+}
+
+std::string tolerance_text(const OffsetPicture& picture) {
+  ToleranceRange within;
+  within.add(picture.path);
+  for (const auto& layer : picture.layers) {
+    within.add(layer.paths);
+    within.add(layer.whole);
+  }
+  return in_words(within);
 }
 
 std::string page_of(const PageParts& parts) {
@@ -309,7 +321,7 @@ std::string page_of(const PageParts& parts) {
           "</output>\n";
   page +=
       fmt::format("<p class=\"soft\">Drawn by cubics within {} of the exact curves, proved.</p>\n",
-                  upper_bound_words(parts.picture.tolerance, on_page));
+                  tolerance_text(parts.picture));
   if (parts.undecided > 0)
     page += fmt::format("<p id=\"undecided\">Undecided, and not marked: {}, in the report.</p>\n",
                         counted(parts.undecided, "place"));

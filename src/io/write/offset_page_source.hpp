@@ -117,12 +117,12 @@ function tell([x, y]) {
   });
   clear();
   if (found === null) return undefined;
-  const [layer, [t, atX, atY, px, py, ofX, ofY]] = found;
+  const [layer, [t, atX, atY, px, py, ofX, ofY, isJoin]] = found;
   place.setAttribute('cx', px);
   place.setAttribute('cy', py);
   normal.setAttribute('d', `M${ofX},${ofY}L${px},${py}`);
   place.style.display = normal.style.display = '';
-  return choose(`${layer.label}, t = ${t}: (${atX}, ${atY})`, -1);
+  return choose(`${layer.label}, ${isJoin ? 'the join at ' : ''}t = ${t}: (${atX}, ${atY})`, -1);
 }
 
 let isPinned = false, drag = null;

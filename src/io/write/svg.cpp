@@ -37,6 +37,11 @@ std::string path_data(const OffsetCubics& path) {
   return path.is_closed ? data + " Z" : data;
 }
 
+std::string in_words(const ToleranceRange& within) {
+  const std::string most = upper_bound_text(within.greatest);
+  return within.least == within.greatest ? most : upper_bound_text(within.least) + " to " + most;
+}
+
 std::string write_svg(const OffsetDrawing& drawing) {
   std::array<std::vector<double>, 2> extent;
   std::string paths;
@@ -48,6 +53,8 @@ std::string write_svg(const OffsetDrawing& drawing) {
       for (const auto& point : cubic)
         for (std::size_t k = 0; k < 2; ++k) extent[k].push_back(static_cast<double>(point[k]));
   }
+  ToleranceRange within;
+  within.add(drawing.paths);
   std::array<double, 4> view{0, 0, 1, 1};
   for (std::size_t k = 0; k < 2 && !extent[k].empty(); ++k) {
     const auto [least, most] = std::ranges::minmax(extent[k]);
@@ -57,10 +64,10 @@ std::string write_svg(const OffsetDrawing& drawing) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\">\n"
       "  <title>{}</title>\n"
-      "  <desc>phrame {}: cubics within {:.3g} of it, y as in the path</desc>\n"
+      "  <desc>phrame {}: cubics within {} of it, y as in the path</desc>\n"
       "  <g fill=\"none\" stroke=\"black\" stroke-width=\"{:.3g}\">\n{}  </g>\n</svg>\n",
       view[0], view[1], view[2], view[3], element_text(drawing.name), drawing.question,
-      static_cast<double>(drawing.tolerance), std::max(view[2], view[3]) / 500, paths);
+      in_words(within), std::max(view[2], view[3]) / 500, paths);
 }
 
 }  // namespace phrame

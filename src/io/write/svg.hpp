@@ -11,5 +11,7 @@ std::string write_svg(const OffsetDrawing& drawing);
 /// What the attribute d of a <path> is, exactly: "M0,0 C1,0 2,0.5 2,2". Precondition: all numbers
 /// have finitely many decimals.
 std::string path_data(const OffsetCubics& path);
+/// "5.0e-7", or "5.0e-7 to 1.0e54".
+std::string in_words(const ToleranceRange& within);
 
 }  // namespace phrame

@@ -1,9 +1,12 @@
 // As in crossings.cpp, but with balls for doubles. Near a place where two branches nearly touch,
 // arcs of length h have to be looked at that are as near to it as h, so that their number is
-// bounded at each h: seen along a normal the arcs are only h² thick.
+// bounded at each h: seen along a normal the arcs are only h² thick. That is lost where all
+// derivatives on an arc are put into a box, since the speed may change much while the curve turns
+// by little: so what is across is taken of the derivative in the middle and of the second ones.
 #include "phrame/ph/curve/close_crossings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/curve_arc.hpp"
@@ -21,16 +24,67 @@ RealBall cross(const PlaneBall& a, const PlaneBall& b, long bits) {
   return subtract(multiply(a[0], b[1], bits), multiply(a[1], b[0], bits), bits);
 }
 
+/// An arc by its middle: its derivatives are v + h·b.
+struct ArcSlope {
+  PlaneBall point;  ///< in the middle
+  PlaneBall v;      ///< the derivative there
+  PlaneBall b;      ///< all second derivatives
+  RealBall h;       ///< all differences from the parameter there
+};
+
+ArcSlope slope_of(const PlanePosition& position, std::size_t segment, const RealBall& t,
+                  long bits) {
+  const RealBall middle = midpoint_of(t);
+  const auto there = position(segment, middle, 2, bits);
+  const auto over = position(segment, t, 3, bits);
+  ArcSlope slope;
+  for (std::size_t k = 0; k < 2; ++k) {
+    slope.point[k] = there[k].coefficient(0);
+    slope.v[k] = there[k].coefficient(1);
+    slope.b[k] = times_power_of_two(over[k].coefficient(2), 1);
+  }
+  slope.h = subtract(t, middle, bits);
+  return slope;
+}
+
+PlaneBall gap_of(const ArcSlope& a, const ArcSlope& b, long bits) {
+  return {subtract(a.point[0], b.point[0], bits), subtract(a.point[1], b.point[1], bits)};
+}
+
+/// @{ With all derivatives.
+RealBall cross(const PlaneBall& a, const ArcSlope& b, long bits) {
+  return add_product(cross(a, b.v, bits), b.h, cross(a, b.b, bits), bits);
+}
+RealBall cross(const ArcSlope& a, const ArcSlope& b, long bits) {
+  return add_product(cross(a.v, b, bits), a.h, cross(a.b, b, bits), bits);
+}
+/// @}
+
+/// P′(s)·ds − P′(t)·dt = −gap, by Cramer's rule.
+NewtonStep newton(const ArcSlope& a, const RealBall& s, const ArcSlope& b, const RealBall& t,
+                  long bits) {
+  const PlaneBall gap = gap_of(a, b, bits);
+  const RealBall determinant = cross(a, b, bits);
+  const RealBall ds = divide(cross(gap, b, bits), determinant, bits);
+  const RealBall dt = divide(cross(gap, a, bits), determinant, bits);
+  return {subtract(midpoint_of(s), ds, bits), subtract(midpoint_of(t), dt, bits)};
+}
+
 struct CloseArc {
   std::size_t segment;
   Rational lower;
   Rational upper;
   long bits;
-  PlaneBall middle;    ///< the point in the middle
-  PlaneBall velocity;  ///< all derivatives on it
+  ArcSlope slope = {};
 };
 
 Rational width(const CloseArc& arc) { return arc.upper - arc.lower; }
+/// About that. Where one is much faster than the other by its parameter, arcs of one width are not
+/// of one length.
+double length(const CloseArc& arc) {
+  return static_cast<double>(width(arc)) *
+         std::hypot(approximate(arc.slope.v[0]), approximate(arc.slope.v[1]));
+}
 RealBall parameter(const CloseArc& arc) { return hull(arc.lower, arc.upper, arc.bits); }
 
 class CloseSearch {
@@ -54,29 +108,18 @@ class CloseSearch {
   }
 
   CloseArc arc(std::size_t segment, const Rational& lower, const Rational& upper) const {
-    CloseArc arc{segment, lower, upper, 96 - 4 * binary_exponent(upper - lower), {}, {}};
-    const RealBall all = parameter(arc);
-    const RealBall middle = midpoint_of(all);
-    const RealBall step = subtract(all, middle, arc.bits);
-    const auto there = position_(segment, middle, 2, arc.bits);
-    const auto over = position_(segment, all, 3, arc.bits);
-    for (std::size_t k = 0; k < 2; ++k) {
-      arc.middle[k] = there[k].coefficient(0);
-      const RealBall bend = times_power_of_two(over[k].coefficient(2), 1);
-      arc.velocity[k] = add_product(there[k].coefficient(1), bend, step, arc.bits);
-    }
+    CloseArc arc{segment, lower, upper, 96 - 4 * binary_exponent(upper - lower)};
+    arc.slope = slope_of(position_, segment, parameter(arc), arc.bits);
     return arc;
   }
 
   /// Are they apart, seen along a normal of a?
   static bool are_apart(const CloseArc& a, const CloseArc& b) {
     const long bits = std::max(a.bits, b.bits);
-    if (!a.velocity[0].is_finite() || !a.velocity[1].is_finite()) return false;
-    const PlaneBall along{midpoint_of(a.velocity[0]), midpoint_of(a.velocity[1])};
-    const PlaneBall gap{subtract(a.middle[0], b.middle[0], bits),
-                        subtract(a.middle[1], b.middle[1], bits)};
+    const PlaneBall& along = a.slope.v;
+    const PlaneBall gap = gap_of(a.slope, b.slope, bits);
     const auto reach = [&](const CloseArc& arc) {
-      return multiply(absolute(cross(along, arc.velocity, bits)), RealBall(width(arc) / 2, bits),
+      return multiply(absolute(cross(along, arc.slope, bits)), RealBall(width(arc) / 2, bits),
                       bits);
     };
     return is_less(add(reach(a), reach(b), bits), absolute(cross(along, gap, bits)));
@@ -86,9 +129,9 @@ class CloseSearch {
     if (++pairs_ > most_close_pairs) return false;
     if (are_apart(a, b) || are_apart(b, a)) return true;
     const long bits = std::max(a.bits, b.bits);
-    if (cross(a.velocity, b.velocity, bits).contains_zero()) return visit_halves(a, b);
-    const NewtonStep step =
-        newton(position_, a.segment, parameter(a), position_, b.segment, parameter(b), bits);
+    const RealBall determinant = cross(a.slope, b.slope, bits);
+    if (determinant.contains_zero()) return visit_halves(a, b);
+    const NewtonStep step = newton(a.slope, parameter(a), b.slope, parameter(b), bits);
     const auto is_outside = [](const RealBall& t, const CloseArc& arc) {
       return t.is_finite() && (t.upper() < arc.lower || t.lower() > arc.upper);
     };
@@ -97,15 +140,14 @@ class CloseSearch {
     };
     if (is_outside(step.first, a) || is_outside(step.second, b)) return true;
     if (!is_inside(step.first, a) || !is_inside(step.second, b)) return visit_halves(a, b);
-    const int sign = phrame::sign(cross(a.velocity, b.velocity, bits));
-    Crossing crossing{a.segment, step.first, b.segment, step.second, sign};
+    Crossing crossing{a.segment, step.first, b.segment, step.second, phrame::sign(determinant)};
     std::tie(crossing.first_t, crossing.second_t) = narrowed(curve_, crossing, bits);
     found_.push_back(std::move(crossing));
     return true;
   }
 
   bool visit_halves(const CloseArc& a, const CloseArc& b) {
-    const CloseArc& longer = width(a) >= width(b) ? a : b;
+    const CloseArc& longer = length(a) >= length(b) ? a : b;
     if (width(longer) < power_of_two(-deepest)) return false;
     const Rational cut = longer.lower + width(longer) * Rational(31, 64);
     const CloseArc one = arc(longer.segment, longer.lower, cut);
@@ -141,25 +183,7 @@ bool are_same(const Crossing& a, const Crossing& b) {
 
 NewtonStep newton(const PlanePosition& p, std::size_t first, const RealBall& s,
                   const PlanePosition& q, std::size_t second, const RealBall& t, long bits) {
-  const RealBall near_s = midpoint_of(s);
-  const RealBall near_t = midpoint_of(t);
-  const auto at_s = p(first, near_s, 1, bits);
-  const auto at_t = q(second, near_t, 1, bits);
-  const auto over_s = p(first, s, 2, bits);
-  const auto over_t = q(second, t, 2, bits);
-  PlaneBall gap;
-  PlaneBall slope_s;
-  PlaneBall slope_t;
-  for (std::size_t k = 0; k < 2; ++k) {
-    gap[k] = subtract(at_s[k].coefficient(0), at_t[k].coefficient(0), bits);
-    slope_s[k] = over_s[k].coefficient(1);
-    slope_t[k] = over_t[k].coefficient(1);
-  }
-  // P′(s)·ds − P′(t)·dt = −gap, by Cramer's rule.
-  const RealBall determinant = cross(slope_s, slope_t, bits);
-  const RealBall ds = divide(cross(gap, slope_t, bits), determinant, bits);
-  const RealBall dt = divide(cross(gap, slope_s, bits), determinant, bits);
-  return {subtract(near_s, ds, bits), subtract(near_t, dt, bits)};
+  return newton(slope_of(p, first, s, bits), s, slope_of(q, second, t, bits), t, bits);
 }
 
 PlanePosition plane_position(const CurveSeries& curve) {

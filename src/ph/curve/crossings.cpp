@@ -60,7 +60,7 @@ class CrossingSearch {
 
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
-    if (is_idle(node) || first_.is_simple(node)) return true;
+    if (is_idle(node) || first_.is_simple(node, query_.is_idle_beyond_reversals)) return true;
     if (!is_left()) return false;
     if (is_too_short(node)) return leave_undecided(node, node);
     first_.split(node);
@@ -73,7 +73,7 @@ class CrossingSearch {
     if (are_apart(a.box, b.box) || is_idle(a) || is_idle(b)) return true;
     if (query_.are_idle && query_.are_idle(a, b)) return true;
     const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
-    if (are_neighbours && first_.are_simple(a, b)) return true;
+    if (are_neighbours && first_.are_simple(a, b, query_.is_idle_beyond_reversals)) return true;
     if (!are_neighbours && a.is_arc() && b.is_arc()) {
       if (are_apart_across(a, b)) return true;
       if (are_transversal(a.velocity, b.velocity)) {
@@ -83,8 +83,11 @@ class CrossingSearch {
       }
       if (is_plane_ && is_tiny(a.box) && is_tiny(b.box)) return add_undecided(a, b);
     }
-    CurveNode& longer = size_of(a) >= size_of(b) ? a : b;
-    CurveTree& tree = &longer == &a ? first_ : second_;
+    bool is_a_cut = size_of(a) >= size_of(b);
+    // Of what is undecided both are arcs, also where several segments are smaller than one arc.
+    if (is_too_short(is_a_cut ? a : b) && !(is_a_cut ? b : a).is_arc()) is_a_cut = !is_a_cut;
+    CurveNode& longer = is_a_cut ? a : b;
+    CurveTree& tree = is_a_cut ? first_ : second_;
     if (is_too_short(longer)) return leave_undecided(a, b);
     if (!are_neighbours && (is_idle_beside(a, b) || is_idle_beside(b, a))) return true;
     tree.split(longer);

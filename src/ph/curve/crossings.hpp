@@ -66,6 +66,8 @@ struct CrossingQuery {
   std::function<bool(const CurveNode&, const CurveNode&)> are_idle = {};
   /// The same of a part, by a closer look, beside a short arc that nearly coincides with it.
   std::function<bool(const CurveNode&, const CurveNode&)> is_idle_beside = {};
+  /// Where a curve turns back, is nothing asked of one of the two branches?
+  bool is_idle_beyond_reversals = false;
 };
 /// All places where a curve in a plane z = const meets itself, open or closed, with cusps and
 /// corners, proved like self_crossings(): at a place that is found there is one point in common,

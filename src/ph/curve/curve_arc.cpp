@@ -272,9 +272,9 @@ bool CurveTree::share_end(const CurveNode& a, const CurveNode& b) const {
   return goes_on_into(a, b) || goes_on_into(b, a);
 }
 
-bool CurveTree::is_simple(const CurveNode& node) const {
+bool CurveTree::is_simple(const CurveNode& node, bool is_one_branch_asked) const {
   return is_one_way(node.direction) &&
-         (node.reversals == 0 || (node.reversals == 1 && node.turn != 0));
+         (node.reversals == 0 || (node.reversals == 1 && (node.turn != 0 || is_one_branch_asked)));
 }
 
 /// Around the curvature along H.
@@ -304,7 +304,7 @@ bool CurveTree::are_parted(const CurveNode& one, const CurveNode& other) const {
   return a.upper < b.lower || b.upper < a.lower;
 }
 
-bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b) const {
+bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b, bool is_one_branch_asked) const {
   const bool is_in_order = goes_on_into(a, b);
   const CurveNode& one = is_in_order ? a : b;
   const CurveNode& other = is_in_order ? b : a;
@@ -313,6 +313,7 @@ bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b) const {
   if (!is_one_way(hull_of(a.direction, b.direction))) return false;
   const long reversals =
       one.reversals + other.reversals + (one.last_sign != other.first_sign ? 1 : 0);
+  if (reversals == 1 && is_one_branch_asked) return true;
   const bool turns_one_way = (one.turn != 0 || one.is_straight) &&
                              (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0 &&
                              (one.upper < 1 || is_smooth_behind(one.last_segment));

@@ -69,10 +69,12 @@ class CurveTree {
   void split(CurveNode& node);
   /// Does the one end where the other begins?
   bool share_end(const CurveNode& a, const CurveNode& b) const;
-  /// Is it seen that the part does not meet itself, or the two parts, which share an end, not each
-  /// other anywhere else?
-  bool is_simple(const CurveNode& node) const;
-  bool are_simple(const CurveNode& a, const CurveNode& b) const;
+  /// @{ Is it seen that the part does not meet itself, or the two parts, which share an end, not
+  /// each other anywhere else? Or, that is, not where it goes one way, if only one of the branches
+  /// is asked for where it turns back.
+  bool is_simple(const CurveNode& node, bool is_one_branch_asked) const;
+  bool are_simple(const CurveNode& a, const CurveNode& b, bool is_one_branch_asked) const;
+  /// @}
 
   /// The projected curve, and the curve itself, around t.
   PlaneSeries series(std::size_t segment, const RealBall& t, long length, long bits) const;

@@ -252,9 +252,9 @@ class Trimmer {
   void add_crossings() {
     CrossingQuery query;
     query.is_idle = [&](const CurveNode& node) {
-      return stroke_.covers(turned(node.box)) ||
-             (stroke_.is_folded && node.is_arc() && stroke_.is_folded(part_of(node)));
+      return stroke_.covers(turned(node.box)) || is_folded(node);
     };
+    query.is_idle_beyond_reversals = !stroke_.signs.empty();
     query.are_idle = [&](const CurveNode& a, const CurveNode& b) {
       if (a.first_segment >= own_ && b.first_segment >= own_) return true;
       if (!a.is_arc() || !b.is_arc()) return false;
@@ -279,6 +279,13 @@ class Trimmer {
       add_touching(first, second, place);
       add_touching(second, first, place);
     }
+  }
+
+  bool is_folded(const CurveNode& node) const {
+    if (!node.is_arc()) return false;
+    if (stroke_.is_folded) return stroke_.is_folded(part_of(node));
+    return !stroke_.signs.empty() && node.reversals == 0 &&
+           node.first_sign == -stroke_.signs[node.first_segment];
   }
 
   /// Where lines and circles are touched is decided by algebra.

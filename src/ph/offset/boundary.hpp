@@ -42,6 +42,10 @@ struct BoundaryCurves {
   std::vector<std::optional<Vector<Rational>>> centers;  ///< of those that are arcs
   std::vector<BoundaryEvent> events = {};                ///< of those asked for
   bool meet_by_points = false;  ///< is an end of one the end of all that end in the same point?
+  /// Of each the sign of its multiplier where it may be boundary; 0 of one that does not turn back.
+  /// May be empty. Where the sign is the other one it is inside of what makes it, and nothing ends
+  /// there.
+  std::vector<int> signs = {};
   /// Is all of a box inside the domain? false says nothing.
   std::function<bool(const PlaneBox& box)> covers = {};
   /// Is a part folded back all along, inside of what makes it? Then no boundary, nor where one

@@ -1,6 +1,9 @@
 // r′(t) × U′(φ) has no factor in t or φ alone, as neither H has a zero. The φ on both sides, U and
 // −U, are rational functions of each other, so that both are rational or none is. A rational
 // U(φ(t)) has a rational φ(t), as φ is a rational function of the point.
+//
+// For every real t there are two real φ, which are simple zeros: so the discriminant of a factor of
+// degree 2 has no real zero, and is > 0 where that has these φ.
 #include "phrame/ph/offset/gauge_normal.hpp"
 
 #include <algorithm>
@@ -31,6 +34,10 @@ GaugeParameter reduced(const Polynomial& p, const Polynomial& q) {
 
 }  // namespace
 
+Polynomial discriminant(const std::array<Polynomial, 3>& c) {
+  return c[1] * c[1] - Rational(4) * c[0] * c[2];
+}
+
 GaugeVector vector_at(const Gauge& gauge, const GaugeParameter& at) {
   const long n = gauge.degree();
   return {form_at(gauge.x(), n, at), form_at(gauge.y(), n, at), form_at(gauge.weight(), n, at)};
@@ -52,10 +59,13 @@ std::variant<GaugeParameter, NoGaugeParameter> right_parameter(const Gauge& gaug
   };
   if (across.degree() < e) add({{1}, {}});  // of a straight line
   for (const auto& [base, exponent] : factor(across)) {
-    if (base.degree() == 1)
+    if (base.degree() == 1) {
       add(reduced(-base.coefficient(0), base.coefficient(1)));
-    else
-      none.degrees.insert(none.degrees.end(), static_cast<std::size_t>(exponent), base.degree());
+      continue;
+    }
+    none.degrees.insert(none.degrees.end(), static_cast<std::size_t>(exponent), base.degree());
+    const std::array c{base.coefficient(0), base.coefficient(1), base.coefficient(2)};
+    if (base.degree() == 2 && discriminant(c)(0) > 0) none.both_sides = c;
   }
   for (GaugeParameter& at : found) {
     const GaugeVector u = vector_at(gauge, {{at.p(0)}, {at.q(0)}});

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <optional>
 #include <variant>
 
 #include "phrame/ph/offset/gauge.hpp"
@@ -24,7 +26,13 @@ GaugeVector vector_at(const Gauge& gauge, const GaugeParameter& at);
 /// over ℚ, ascending, as often as they occur.
 struct NoGaugeParameter {
   std::vector<long> degrees;
+  /// c₀, c₁, c₂ of the factor c₀ + c₁φ + c₂φ² that has the φ of both sides for its zeros, where it
+  /// is of that degree.
+  std::optional<std::array<Polynomial, 3>> both_sides = {};
 };
+
+/// c₁² − 4c₀c₂.
+Polynomial discriminant(const std::array<Polynomial, 3>& c);
 
 /// φ(t) with U′(φ) ∥ r′, U(φ) to the right of e₁: a factor of degree 1 of r′(t) × U′(φ). As the
 /// gauge is traced once, U(φ(t)) is rational where φ(t) is and only there. Precondition: a curve in

@@ -7,6 +7,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/gauge_kind.hpp"
 #include "phrame/ph/offset/gauge_normal.hpp"
 #include "phrame/ph/offset/joined_offset.hpp"
 
@@ -95,7 +96,8 @@ GaugeOffsets::GaugeOffsets(const Path& path, Gauge gauge) {
       continue;
     }
     state.parameters.emplace_back();
-    none_.push_back({k, std::get<NoGaugeParameter>(found).degrees});
+    none_.push_back(
+        {k, std::get<NoGaugeParameter>(found).degrees, offset_kind(*curve, state.gauge)});
   }
   state_ = std::make_shared<const State>(std::move(state));
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/ph/offset/gauge.hpp"
 #include "phrame/ph/offset/offset.hpp"
+#include "phrame/ph/offset/offset_kind.hpp"
 
 namespace phrame::inline v0 {
 
@@ -13,6 +14,9 @@ class PHRAME_API GaugeOffsets {
   struct None {
     std::size_t segment;        ///< which
     std::vector<long> degrees;  ///< those of the factors of r′ × U′ in φ
+    /// Over which field they are rational, or both together, where the φ of both sides are the
+    /// zeros of a factor of degree 2: D is that of its discriminant.
+    std::optional<OffsetKind> kind = {};
   };
 
   /// Of a path of polynomial or rational curves in planes z = const, PH or not. Throws DomainError

@@ -36,34 +36,47 @@ void require_no_turning_back(const std::vector<RationalCurve>& curves) {
   }
 }
 
-/// All boundary curves, those of the offset first.
-OffsetBranches stroke_of(const Path& path, const GaugeOffsets& offsets, const Gauge& gauge,
-                         const Offset& own) {
-  OffsetBranches stroke = branches_of(own);
-  const auto add = [&](const OffsetBranches& more) {
+/// All boundary curves, those of the offset first, and the signs that BoundaryCurves has of them.
+struct Stroke {
+  OffsetBranches branches;
+  std::vector<int> signs;
+};
+
+Stroke stroke_of(const Path& path, const GaugeOffsets& offsets, const Gauge& gauge,
+                 const Offset& own) {
+  Stroke made;
+  OffsetBranches& stroke = made.branches;
+  const auto add = [&](const Offset& offset, const Path& of) {
     const std::size_t first = stroke.curves.size();
+    const OffsetBranches more = branches_of(offset);
     for (std::size_t k = 0; k < more.curves.size(); ++k) {
       stroke.curves.push_back(more.curves[k]);
       stroke.behind.push_back(more.behind[k] == no_segment ? no_segment : first + more.behind[k]);
+      const OffsetPiece& piece = offset.pieces[k];
+      const RationalCurve& base = *rational_curve(of.segments()[piece.segment]);
+      made.signs.push_back(piece.is_join ? 0 : sign_after_zero(base.multiplier()));
     }
   };
+  add(own, path);
   if (path.is_closed()) {
-    add(branches_of(offsets.at(-own.distance)));
-    return stroke;
+    add(offsets.at(-own.distance), path);
+    return made;
   }
-  const GaugeOffsets back(reversed(path), gauge);
+  const Path backwards = reversed(path);
+  const GaugeOffsets back(backwards, gauge);
   const auto add_cap = [&](const std::vector<RationalCurve>& cap) {
     stroke.behind.back() = stroke.curves.size();
     for (const RationalCurve& arc : cap) {
       stroke.curves.push_back(arc);
       stroke.behind.push_back(stroke.curves.size());
+      made.signs.push_back(0);
     }
   };
   add_cap(offsets.end_cap(own.distance));
-  add(branches_of(back.at(own.distance)));
+  add(back.at(own.distance), backwards);
   add_cap(back.end_cap(own.distance));
   stroke.behind.back() = 0;
-  return stroke;
+  return made;
 }
 
 }  // namespace
@@ -80,7 +93,7 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
   require_no_turning_back(along);
   TrimmedOffset result{offsets.at(d, join == OffsetJoin::mitre ? join : OffsetJoin::round), {}, {}};
   const auto& pieces = result.offset.pieces;
-  const OffsetBranches stroke = stroke_of(path, offsets, gauge, result.offset);
+  const Stroke stroke = stroke_of(path, offsets, gauge, result.offset);
   const GaugeCover cover(along, gauge, d);
   const MitreKites kites(result.offset, [&](std::size_t k) { return point(along[k], 0); });
   const auto center_around = [&](std::size_t piece, const Rational& t) {
@@ -89,8 +102,9 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
     return of.is_join ? cover.center_around(at)
                       : cover.center_around(at, of.segment, double_zero(t));
   };
-  BoundaryCurves curves{stroke, pieces.size(), {}};
-  curves.centers.resize(stroke.curves.size());
+  BoundaryCurves curves{stroke.branches, pieces.size(), {}};
+  curves.centers.resize(stroke.branches.curves.size());
+  curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return cover.covers(box); };
   curves.is_cut = [&](std::size_t piece, const Rational& t) {
     return center_around(piece, t) || kites.contain(point(pieces[piece].curve, t));

@@ -36,6 +36,7 @@ struct TwoSidedOffset {
   /// What of it belongs to t from 0 to 1, at d, and at −d. m at the ends is rounded
   /// inwards, by less than 10^−digits.
   std::vector<RationalCurve> sides;
+  std::vector<std::array<Rational, 2>> ends;  ///< m at the ends of these
 };
 /// Precondition: offset_kind() has a conic with a form, d ≠ 0, z = const.
 PHRAME_API TwoSidedOffset two_sided_offset(const RationalCurve& curve, const OffsetKind& kind,

@@ -104,11 +104,11 @@ class LengthSum {
 
 OffsetLength length(const Offset& offset) { return LengthSum(offset).make(); }
 
-Real signed_area(const PhPath& path) {
+Real signed_area(const Path& path) {
   Rational exact;
   std::vector<KnownIntegral> others;
-  for (const Curve& curve : path.segments()) {
-    const RationalFunction rate = area_rate(PhSegment(curve).by_positions());
+  for (const Segment& segment : path.segments()) {
+    const RationalFunction rate = area_rate(*rational_curve(segment));
     if (rate.is_polynomial())
       exact += antiderivative(rate.numerator())(1);
     else

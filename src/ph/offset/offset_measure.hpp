@@ -22,8 +22,8 @@ struct OffsetLength {
 /// ∫ |speed + d·φ′| dt. Cost: the antiderivative of each piece.
 OffsetLength length(const Offset& offset);
 
-/// ½ ∮ (x dy − y dx) of a closed path, positive where it goes round to the left.
-Real signed_area(const PhPath& path);
+/// ½ ∮ (x dy − y dx) of a closed path of rational curves, positive where it goes round to the left.
+Real signed_area(const Path& path);
 /// ½ ∮ (x dy − y dx) of a closed offset, positive where it goes round to the left; no value for
 /// others. For a smooth path with the signed area A and length L that turns by 2πk it is
 /// A + d·L + d²·πk (Steiner).

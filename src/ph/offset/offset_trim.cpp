@@ -4,7 +4,9 @@
 // less, at a point Q, there are points of the path as near to Q as |d| beside the one that Q
 // belongs to, so that another boundary curve goes through Q; or that one is next to it, and 1 + dκ
 // changes its sign. So between two such places one point tells for all. A part of which one point
-// of the path is seen to be nearer than |d| has no such place.
+// of the path is seen to be nearer than |d| has no such place. Where 1 + dκ < 0 the distance from
+// the path has no least value at the foot, but is less next to it, and for points next to that,
+// too: such parts are cut, and no other curve is where it meets one.
 //
 // With mitres, what is between them and the path counts as nearer, too, and they are boundary
 // curves in place of the arcs.
@@ -45,6 +47,7 @@ struct Stroke {
   std::vector<std::optional<Vector<Rational>>> centers;  ///< of the arcs
   /// What they are at the distance |d| from, at the same t: X, Y and W.
   std::vector<Vector<Polynomial>> bases;
+  std::vector<int> signs;  ///< as BoundaryCurves has them
 };
 
 Vector<Polynomial> constant(const Vector<Rational>& at) {
@@ -91,6 +94,7 @@ class StrokeMaker {
       const bool is_arc = piece.is_join && !is_line(piece.curve);
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
+      stroke_.signs.push_back(piece.is_join ? 0 : sign_after_zero(base.multiplier()));
     }
     if (!path.closing_turn() && !more.curves.empty())
       stroke_.branches.behind.back() = stroke_.branches.curves.size();
@@ -102,6 +106,7 @@ class StrokeMaker {
       stroke_.branches.behind.push_back(stroke_.branches.curves.size());
       stroke_.centers.emplace_back(at);
       stroke_.bases.push_back(constant(at));
+      stroke_.signs.push_back(0);
     }
   }
 
@@ -123,6 +128,7 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     return of.is_join ? discs.disc_around(at) : discs.disc_around(at, of.segment, double_zero(t));
   };
   BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers};
+  curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
   curves.is_cut = [&](std::size_t piece, const Rational& t) {
     return disc_around(piece, t) || kites.contain(point(pieces[piece].curve, t));

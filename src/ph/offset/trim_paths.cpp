@@ -77,8 +77,12 @@ class BranchPath {
 
  private:
   void add(const RationalCurve& curve, const OffsetPart& part) {
-    const Rational from = rounded(part.from, parameter_places_);
-    const Rational to = rounded(part.to, parameter_places_);
+    long places = parameter_places_;
+    while (rounded(part.from, places) == rounded(part.to, places) && is_known(part.from) &&
+           is_known(part.to))
+      places *= 2;  // it is shorter than that
+    const Rational from = rounded(part.from, places);
+    const Rational to = rounded(part.to, places);
     parts_.push_back({curve, from, to, point(curve, from), point(curve, to)});
   }
 
