@@ -92,22 +92,28 @@ bool is_polynomial(const Segment& segment) {
   return curve != nullptr && curve->weight().is_constant();
 }
 
+/// Of one that is rational, segment k of so many.
+std::string needs_polynomial(std::size_t k, std::size_t count) {
+  return fmt::format("needs a polynomial Pythagorean-hodograph curve, and {} is a rational one",
+                     count == 1 ? "this" : fmt::format("segment {}", k + 1));
+}
+
 }  // namespace
 
 void require_polynomial(const std::vector<Curve>& segments, const std::string& file) {
   for (std::size_t k = 0; k < segments.size(); ++k)
     if (!segments[k].is_polynomial())
-      throw InputError(
-          file,
-          fmt::format("this command needs a polynomial Pythagorean-hodograph curve, and {} is "
-                      "a rational one",
-                      segments.size() == 1 ? "this" : fmt::format("segment {}", k + 1)));
+      throw InputError(file, "this command " + needs_polynomial(k, segments.size()));
 }
 
 std::string needs_ph(const Path& path) {
   const auto& segments = path.segments();
   const auto ph = std::find_if(segments.begin(), segments.end(), ph_curve);
   const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
+  if (other == segments.end()) {
+    const auto rational = std::find_if_not(segments.begin(), segments.end(), is_polynomial);
+    return needs_polynomial(static_cast<std::size_t>(rational - segments.begin()), segments.size());
+  }
   const std::string none = fmt::format(
       "needs a Pythagorean-hodograph curve, and {} is none",
       ph == segments.end() ? "this" : fmt::format("segment {}", other - segments.begin() + 1));
@@ -446,6 +452,13 @@ Vector<Rational> parse_vector_option(const std::string& option, const std::strin
     throw InputError(option, "\"" + abbreviated(text) + "\" is not a vector x,y,z");
   return {parse_option(option, parts[0]), parse_option(option, parts[1]),
           parse_option(option, parts[2])};
+}
+
+Vector<Rational> parse_normal_option(const std::string& option, const std::string& text,
+                                     const Path& path, const Place& at) {
+  Vector<Rational> normal = parse_vector_option(option, text);
+  at_option(option, [&] { require_start_normal(StartNormal(normal), path, at); });
+  return normal;
 }
 
 void add_digits(Command& command, long& digits) {
