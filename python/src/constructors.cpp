@@ -209,7 +209,9 @@ std::optional<GivenPoses> poses_of(nb::handle orientations, const GivenPoints& g
   }
   const std::size_t n = given.points.size();
   if (poses.turns.size() != n - 1 && !(is_closed && poses.turns.size() == n))
-    refuse("turns", std::to_string(poses.turns.size()) + " for " + std::to_string(n) + " points",
+    refuse("turns",
+           std::to_string(poses.turns.size()) + " for " + std::to_string(n) + " points; " +
+               std::to_string(n - 1) + " are wanted, or of a closed curve as many as points",
            turns);
   return poses;
 }

@@ -66,12 +66,13 @@ NamedPhPath read_ph_path(std::string_view text, const CurveOptions& options) {
   try {
     return phrame::read_path(text, options.limits);
   } catch (const InputError& error) {
-    if (error.place() != "/phrame" && error.place() != "1:1") throw;
+    if (error.place() != "/phrame" && !error.place().starts_with("1:")) throw;
     const std::exception_ptr first = std::current_exception();
     std::optional<NamedPath> other;
     try {
       other = read_any(text, options);
     } catch (const InputError&) {
+      if (error.place().starts_with("1:")) throw;  // it knows more formats
       std::rethrow_exception(first);
     }
     return ph_path_of(*other);
@@ -193,6 +194,10 @@ Roll RollOption::chosen(const CurveOptions& curve) const {
   return Roll(angles);
 }
 
+void RollOption::check(const Roll& made, std::size_t segments) const {
+  at_option(roll ? "--roll" : "--roll-column", [&] { made.require_along(segments); });
+}
+
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {
   if (!near) return std::nullopt;
   Rational epsilon = parse_option("--near", *near);
@@ -267,8 +272,11 @@ std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
   for (const ParameterPoint& point : along.points(at, asked.samples)) {
     const Real t = parameter(point.at);
     if (!t.exact())
-      throw InputError("--by", fmt::format("at {} t is irrational, and here it is a fraction",
-                                           approximate(point.value.enclose(64))));
+      throw InputError(
+          "--by",
+          fmt::format(
+              "the t of the place {} is irrational, and this command takes t that are fractions",
+              approximate(point.value.enclose(64))));
     ts.push_back(*t.exact());
   }
   return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(ts)};

@@ -188,6 +188,8 @@ struct RollOption {
   std::string column_name() const;
   /// What is asked for, with the table that the curve is read from. Throws InputError.
   Roll chosen(const CurveOptions& curve) const;
+  /// Throws InputError where that is not finite all along, or has another number of values.
+  void check(const Roll& roll, std::size_t segments) const;
   static std::vector<std::string> names() { return {"--roll", "--roll-column"}; }
 };
 

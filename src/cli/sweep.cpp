@@ -97,11 +97,14 @@ std::optional<Vector<Rational>> origin_of(const SweepOptions& options) {
 
 SweepQuery query_of(const SweepOptions& options, const Path& path) {
   const SweepScale scale = sweep_scale_of(options);
-  const double greatest = scale.greatest(path.segments().size());
+  const std::size_t segments = path.segments().size();
+  const double greatest = at_option(options.scale_column ? "--scale-column" : "--scale",
+                                    [&] { return scale.greatest(segments); });
   const Profile profile = profile_of(options, greatest);
   SweepQuery query{profile, options.start.start()};
   query.scale = scale;
   query.roll = options.roll.chosen(options.curve);
+  options.roll.check(query.roll, segments);
   if (options.end_normal)
     query.end_normal = parse_normal_option("--end-normal", *options.end_normal, path, end_of(path));
   if (options.twist) query.twist = parse_angle_option("--twist", *options.twist);
@@ -213,6 +216,7 @@ RationalSweepQuery exact_query(const SweepOptions& options, const Path& path) {
   RationalSweepQuery query{given_profile(options, parse_profile_curve, read_profile_curve),
                            options.start.start()};
   query.scale = scale_of(options);
+  at_option("--scale", [&] { SweepScale(query.scale).require_along(path.segments().size()); });
   if (options.end_normal)
     query.end_normal = parse_normal_option("--end-normal", *options.end_normal, path, end_of(path));
   if (options.degree > 0)

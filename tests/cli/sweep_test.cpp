@@ -200,6 +200,9 @@ TEST_CASE("sweep: the scale may be a list, or a column of the table of points") 
   CHECK(contains(missing.err,
                  "points.csv:line 1: there is no column \"width\", but x, y, z, radius\n"));
   const Run short_list = here.run(call + "--scale 1,2");
-  CHECK(short_list.status == 3);
-  CHECK(contains(short_list.err, "scale: 2 values for 3 joints, 0 to 2"));
+  CHECK(short_list.status == 2);
+  CHECK(contains(short_list.err, "--scale: the scale has 2 values for 3 joints, 0 to 2"));
+  for (const auto& [scale, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"1/(t-1)^2", "not finite at t = 1"}, {"2-t", "0 at t = 2"}, {"t-1", "negative at t = 0"}})
+    check_failure(here.run(call + "--scale '" + scale + "'"), 2, "--scale: the scale is " + reason);
 }
