@@ -206,7 +206,9 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
 }
 
 void CurveOptions::add_curve_to(Command& command) {
-  command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+  command.add_argument("CURVE", path,
+                       "a curve file, \"-\" for standard input\n"
+                       "(JSON, a table of points, SVG, DXF, STEP, IGES, G-code, glTF and others)");
   add_near(command, near);
   command.add_option("--max-corner", "ANGLE", max_corner,
                      "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
