@@ -29,7 +29,7 @@ bool is_frame_table(const JsonNode& node) {
 
 JsonNode JsonTable::list() const {
   const JsonNode whole(document_);
-  return whole.is(Kind::object) ? whole.at("rows") : whole;
+  return is_frame_table(whole) ? whole.at("rows") : whole;
 }
 
 JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
@@ -45,7 +45,7 @@ JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
   else
     lay_out_objects(first);
   if (columns_.empty()) first.fail("the row is empty");
-  if (!JsonNode(document_).is(Kind::object)) return;
+  if (!is_frame_table(JsonNode(document_))) return;
   const JsonNode names = JsonNode(document_).at("columns");
   names.require(Kind::array, "an array of names");
   if (names.size() != columns_.size())
