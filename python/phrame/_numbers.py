@@ -256,6 +256,8 @@ def rows(x: Any, place: str, known: Sequence[str]) -> Any:
     names = _columns(x)
     if names is None:
         return _array(x, place)
+    if len(names) == 2 and list(known) == ["x", "y", "z"]:  # of a plane, z = 0
+        known = known[:2]
     found = {str(name).strip().lower(): name for name in names}
     if len(names) != len(known) or len(found) != len(names) or (set(found) != set(known) and set(found) & set(known)):
         _refuse(place, f"the columns {', '.join(known)} are wanted, not {_shown(names)}", x)

@@ -39,13 +39,13 @@ std::vector<Rational> weights_of(nb::handle weights, std::size_t points) {
 }
 
 nb::object bezier(nb::handle points, nb::handle weights, const Text<"name">& name) {
-  RationalBezier curve{vectors(points, "points", 2)};
+  RationalBezier curve{given_points(points, "points", 2)};
   curve.weights = weights_of(weights, curve.points.size());
   return path_of_beziers(name, {{curve, 0, 1}}, "points", points);
 }
 
 nb::object polyline(nb::handle points, Flag<"closed"> closed, const Text<"name">& name) {
-  std::vector<Vector<Rational>> corners = vectors(points, "points", 2);
+  std::vector<Vector<Rational>> corners = given_points(points, "points", 2);
   if (closed && corners.front() != corners.back()) corners.push_back(corners.front());
   std::vector<BezierPiece> pieces;
   for (std::size_t k = 0; k + 1 < corners.size(); ++k)
@@ -67,7 +67,7 @@ std::vector<Rational> clamped_knots(std::size_t points, long degree) {
 nb::object nurbs(nb::handle points, nb::handle weights, nb::handle knots, nb::handle degree,
                  const Text<"name">& name) {
   BSpline spline;
-  spline.points = vectors(points, "points", 2);
+  spline.points = given_points(points, "points", 2);
   spline.degree = count(degree, "degree", 1, 1001);
   spline.weights = weights_of(weights, spline.points.size());
   if (!knots.is_none()) {
@@ -151,7 +151,10 @@ nb::object expressions(nb::handle x, nb::handle y, nb::handle z, nb::handle lowe
       return {{ExpressionCurve(r, from, to, s), "x"}};
     });
   } catch (const DomainError& error) {
-    refuse("x, y, z", error.what(), x);
+    const std::string reason = error.what();  // "z has a pole at s = 1", or of all three
+    for (const auto& [letter_of, of] : {std::pair("x", x), std::pair("y", y), std::pair("z", z)})
+      if (reason.starts_with(std::string(letter_of) + " ")) refuse(letter_of, reason.substr(2), of);
+    refuse("x, y, z", reason, x);
   }
   return made_of(name, segments, "x", x);
 }
@@ -183,7 +186,7 @@ std::vector<Rational> spline_parameters(const CubicInterpolation& data, nb::hand
 nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"ends">& ends,
                         const Text<"spacing">& spacing, nb::handle start_derivative,
                         nb::handle end_derivative, const Text<"name">& name) {
-  CubicInterpolation data{vectors(points, "points", 2), {}};
+  CubicInterpolation data{given_points(points, "points", 2), {}};
   data.ends = chosen<SplineEnds>(ends, "ends",
                                  {{"natural", SplineEnds::natural},
                                   {"clamped", SplineEnds::clamped},
@@ -197,8 +200,8 @@ nb::object cubic_spline(nb::handle points, nb::handle parameters, const Text<"en
     if (given.is_none() == is_clamped)
       refuse(place, is_clamped ? "clamped ends want it" : "it is of clamped ends", given);
   if (is_clamped) {
-    data.start_derivative = vector(start_derivative, "start_derivative");
-    data.end_derivative = vector(end_derivative, "end_derivative");
+    data.start_derivative = given_point(start_derivative, "start_derivative");
+    data.end_derivative = given_point(end_derivative, "end_derivative");
   }
   std::vector<BezierPiece> pieces;
   try {

@@ -73,7 +73,7 @@ Numbers numbers_of(const PathObject& self, const At& at, const ArrayQuery& asked
                    const Write& write) {
   const Path& path = self.named.path;
   const bool is_by_t = asked.by == ParameterKind::t;
-  if (is_by_t && (is_to_up || !goes_on(path))) require_inside(*at, path.end(), asked.ts);
+  if (is_by_t && (is_to_up || !goes_on(path))) require_inside(*at, path.end());
   const FrameStart from = frame_start(asked.start, asked.start_normal, StartRule::least_rotation,
                                       path, is_to_up ? Reference::up : Reference::euler_rodrigues);
   const bool has_start = asked.kind == TabulatedFrame::rmf;
@@ -139,7 +139,7 @@ template <class Write>
 Numbers tabulated_numbers(const PathObject& self, bool is_general, const At& at,
                           const ArrayQuery& asked, const Write& write) {
   const Path& path = self.named.path;
-  if (asked.by == ParameterKind::t && !goes_on(path)) require_inside(*at, path.end(), asked.ts);
+  if (asked.by == ParameterKind::t && !goes_on(path)) require_inside(*at, path.end());
   const PathAngle angle = is_general ? angle_to_up(path, asked.up) : PathAngle(path);
   TableColumns columns{.frames = {*asked.kind}};
   columns.start = frame_start(asked.start, asked.start_normal, StartRule::least_rotation, path,
@@ -243,13 +243,13 @@ Roll roll_of(nb::handle roll, std::size_t segments) {
   return found;
 }
 
-void require_inside(const Parameters& at, const Rational& end, nb::handle ts) {
+void require_inside(const Parameters& at, const Rational& end) {
   const double last = round_to_double(end);
   for (std::size_t k = 0; k < at.size(); ++k) {
     if (at.are_doubles() ? at.doubles[k] >= 0 && at.doubles[k] <= last : at[k] >= 0 && at[k] <= end)
       continue;
-    refuse("ts[" + std::to_string(k) + "]",
-           as_written(at[k]) + " is outside [0, " + to_string(end) + "]", ts);
+    throw ArgumentError("ts[" + std::to_string(k) + "]",
+                        as_written(at[k]) + " is outside [0, " + to_string(end) + "]");
   }
 }
 
@@ -342,7 +342,7 @@ nb::object angles(const NamedPath& named, const PathAngle& angle, const StartAng
     if (!t) return angles_by_places(named, angle, start, at, by, progress);
     *at = *t;
   }
-  if (!goes_on(angle.path())) require_inside(*at, angle.path().end(), ts);
+  if (!goes_on(angle.path())) require_inside(*at, angle.path().end());
   const auto numbers = std::make_shared<DoubleArray>(at->size());
   const auto compiled = std::make_shared<CompiledAngles>();
   run({.n = at->size(),

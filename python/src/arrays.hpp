@@ -39,7 +39,7 @@ void make_continuous(DoubleArray& quaternions);
 Roll roll_of(nb::handle roll, std::size_t segments);
 
 /// Refuses a t outside [0, end]; a double that is the end rounded is not.
-void require_inside(const Parameters& at, const Rational& end, nb::handle ts);
+void require_inside(const Parameters& at, const Rational& end);
 
 constexpr std::size_t many = 1024;  ///< approximated frames that a thread takes at a time
 

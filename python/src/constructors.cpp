@@ -93,7 +93,7 @@ nb::object from_complex(nb::handle w, nb::handle multiplier, nb::handle start,
 }
 
 nb::object from_control_points(nb::handle points, const Text<"name">& name) {
-  const auto given = vectors(points, "points", 2);
+  const auto given = given_points(points, "points", 2);
   auto found = without_gil([=] { return answer({name, bezier_hodograph(given), given.front()}); });
   if (auto* curve = std::get_if<Curve>(&found.result))
     return wrap(NamedPhPath(name, std::move(*curve)));
@@ -105,7 +105,7 @@ nb::object from_control_points(nb::handle points, const Text<"name">& name) {
 }
 
 nb::object near(nb::handle points, nb::handle eps, const Text<"name">& name) {
-  const auto given = vectors(points, "points", 2);
+  const auto given = given_points(points, "points", 2);
   const Rational epsilon = rational(eps, "eps");
   if (epsilon.sign() <= 0) refuse("eps", "it is not positive", eps);
   const auto found = without_gil([=] {
@@ -144,7 +144,7 @@ nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
 std::vector<Vector<Rational>> as_many(nb::handle list, const std::string& place,
                                       const GivenPoints& given) {
   if (list.is_none()) return {};
-  auto found = vectors(list, place, 0);
+  auto found = given_points(list, place, 0);
   if (found.size() != given.points.size())
     refuse(place,
            std::to_string(found.size()) + " for " + std::to_string(given.points.size()) + " points",
@@ -209,7 +209,9 @@ std::optional<GivenPoses> poses_of(nb::handle orientations, const GivenPoints& g
   }
   const std::size_t n = given.points.size();
   if (poses.turns.size() != n - 1 && !(is_closed && poses.turns.size() == n))
-    refuse("turns", std::to_string(poses.turns.size()) + " for " + std::to_string(n) + " points",
+    refuse("turns",
+           std::to_string(poses.turns.size()) + " for " + std::to_string(n) + " points; " +
+               std::to_string(n - 1) + " are wanted, or of a closed curve as many as points",
            turns);
   return poses;
 }
@@ -234,7 +236,7 @@ nb::object through(nb::handle points, nb::handle derivatives, nb::handle tangent
                    nb::handle turns, nb::handle lengths) {
   GivenPoints given;
   given.name = name;
-  given.points = vectors(points, "points", 2);
+  given.points = given_points(points, "points", 2);
   given.derivatives = as_many(derivatives, "derivatives", given);
   given.tangents = as_many(tangents, "tangents", given);
   given.accelerations = as_many(accelerations, "accelerations", given);
@@ -272,14 +274,14 @@ nb::object hermite(nb::handle p0, nb::handle d0, nb::handle p1, nb::handle d1, n
                    const Text<"name">& name, nb::handle length) {
   GivenPoints given;
   given.name = name;
-  given.points = {vector(p0, "p0"), vector(p1, "p1")};
-  given.derivatives = {vector(d0, "d0"), vector(d1, "d1")};
+  given.points = {given_point(p0, "p0"), given_point(p1, "p1")};
+  given.derivatives = {given_point(d0, "d0"), given_point(d1, "d1")};
   ConstructQuery query;
   query.kind = kind_named(kind);
   query.points = exact ? PointRule::exact : PointRule::near;
   if (!length.is_none()) query.lengths = {rational(length, "length")};
   if (a0.is_none() != a1.is_none()) refuse(a0.is_none() ? "a0" : "a1", "it is wanted", a0);
-  if (!a0.is_none()) given.accelerations = {vector(a0, "a0"), vector(a1, "a1")};
+  if (!a0.is_none()) given.accelerations = {given_point(a0, "a0"), given_point(a1, "a1")};
   choose_solution(query, tolerance, solution, select, angles);
   return constructed(given, query);
 }
@@ -306,7 +308,12 @@ nb::object parsed(const std::string& bytes, nb::handle near, const FileReading& 
       if (error.place() == "--skip-invalid")
         refuse("skip_invalid", error.reason(), nb::bool_(reading.skips_invalid));
       if (error.place() == "--pick") refuse("pick", error.reason(), nb::cast(reading.pick));
-      throw;
+      std::string reason = error.reason();
+      for (const auto& [option, keyword] : {std::pair<std::string, std::string>("--pick", "pick="),
+                                            {"--skip-invalid", "skip_invalid="}})
+        if (const auto at = reason.find(option); at != std::string::npos)
+          reason.replace(at, option.size(), keyword);
+      throw InputError(error.place(), reason);
     }
   }();
   for (const std::string& note : read.notes)
@@ -329,7 +336,13 @@ nb::object read(nb::handle file, nb::handle near, Flag<"skip_invalid"> skip_inva
                 const Text<"pick">& pick) {
   FileReading reading{skip_invalid, pick};
   reading.beside = files_beside(text(file_name(file, "file"), "file"));
-  return parsed(bytes_of_file(file, "file"), near, reading);
+  try {
+    return parsed(bytes_of_file(file, "file"), near, reading);
+  } catch (const InputError& error) {
+    // Where it is not of an argument, but of a place in the file.
+    const std::string name = nb::str(file).c_str();
+    throw InputError(error.place().empty() ? name : name + ":" + error.place(), error.reason());
+  }
 }
 
 /// Of the doubles that the object has.

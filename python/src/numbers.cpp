@@ -214,24 +214,60 @@ std::vector<Rational> rationals(nb::handle list, const std::string& place) {
   return result;
 }
 
-Vector<Rational> vector(nb::handle x, const std::string& place) {
-  const auto list = rationals(x, place);
-  if (list.size() != 3)
-    refuse(place, "3 numbers are wanted, there are " + std::to_string(list.size()), x);
-  return {list[0], list[1], list[2]};
+namespace {
+
+/// Three numbers, or perhaps two, where z = 0.
+Vector<Rational> coordinates(const std::vector<Rational>& list, bool may_be_plane, nb::handle x,
+                             const std::string& place) {
+  if (list.size() != 3 && !(may_be_plane && list.size() == 2))
+    refuse(place,
+           std::string(may_be_plane ? "2 or 3" : "3") + " numbers are wanted, there are " +
+               std::to_string(list.size()),
+           x);
+  return {list[0], list[1], list.size() == 3 ? list[2] : Rational(0)};
 }
 
-std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place,
-                                      std::size_t least) {
+std::vector<Vector<Rational>> rows_of_coordinates(nb::handle list, bool may_be_plane,
+                                                  const std::string& place, std::size_t least) {
   std::vector<Vector<Rational>> result;
-  for (const nb::handle row : rows(list, place, "a list of points", {"x", "y", "z"}))
-    result.push_back(vector(row, place + "[" + std::to_string(result.size()) + "]"));
+  std::size_t dimension = 0;
+  for (const nb::handle row : rows(list, place, "a list of points", {"x", "y", "z"})) {
+    const std::string at = place + "[" + std::to_string(result.size()) + "]";
+    const std::vector<Rational> numbers = rationals(row, at);
+    result.push_back(coordinates(numbers, may_be_plane, row, at));
+    if (dimension != 0 && numbers.size() != dimension)
+      refuse(at,
+             std::to_string(numbers.size()) + " numbers, but " + std::to_string(dimension) +
+                 " in " + place + "[0]",
+             row);
+    dimension = numbers.size();
+  }
   if (result.size() < least)
     refuse(
         place,
         std::to_string(least) + " are wanted at least, there are " + std::to_string(result.size()),
         list);
   return result;
+}
+
+}  // namespace
+
+Vector<Rational> vector(nb::handle x, const std::string& place) {
+  return coordinates(rationals(x, place), false, x, place);
+}
+
+Vector<Rational> given_point(nb::handle x, const std::string& place) {
+  return coordinates(rationals(x, place), true, x, place);
+}
+
+std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place,
+                                      std::size_t least) {
+  return rows_of_coordinates(list, false, place, least);
+}
+
+std::vector<Vector<Rational>> given_points(nb::handle list, const std::string& place,
+                                           std::size_t least) {
+  return rows_of_coordinates(list, true, place, least);
 }
 
 nb::object to_python(const Integer& x) {

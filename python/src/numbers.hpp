@@ -71,6 +71,11 @@ nb::list rows(nb::handle x, const std::string& place, const char* wanted,
 std::vector<Rational> rationals(nb::handle list, const std::string& place);
 /// Three numbers.
 Vector<Rational> vector(nb::handle x, const std::string& place);
+/// Three numbers, or two of a point or direction in the plane z = 0.
+Vector<Rational> given_point(nb::handle x, const std::string& place);
+/// Rows of such numbers, all of as many, `least` of them or more.
+std::vector<Vector<Rational>> given_points(nb::handle list, const std::string& place,
+                                           std::size_t least);
 /// Rows of three numbers, `least` of them or more.
 std::vector<Vector<Rational>> vectors(nb::handle list, const std::string& place, std::size_t least);
 

@@ -68,10 +68,11 @@ void bind_totals(PathClass& path) {
       .def(
           "helicity",
           [](nb::handle self, nb::handle about) {
-            return to_python(
-                without_gil([along = path_of(self).named.path, v = vector(about, "about")] {
-                  return SignedFrenet(along).turns_about(v);
-                }));
+            const Vector<Rational> v = vector(about, "about");
+            return to_python(without_gil([along = path_of(self).named.path, v] {
+              at_place("about", [&] { require_up_vector(along, v); });
+              return SignedFrenet(along).turns_about(v);
+            }));
           },
           argument("about") = nb::make_tuple(0, 0, 1),
           nb::sig("def helicity(self, about: Vector = (0, 0, 1)) -> fractions.Fraction"),
@@ -290,7 +291,7 @@ nb::object bounding_box(nb::handle self) {
 }
 
 nb::object nearest(nb::handle self, nb::handle point) {
-  const Vector<Rational> p = vector(point, "point");
+  const Vector<Rational> p = given_point(point, "point");
   const PathExtreme found = at_place("nearest", [&] {
     return without_gil([along = path_of(self).named.path, p] { return nearest_point(along, p); });
   });

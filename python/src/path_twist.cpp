@@ -91,7 +91,7 @@ nb::object turns_of(nb::handle self) {
 nb::object twist_frames(const PathTwist& twist, nb::handle ts, nb::handle progress) {
   const auto at = std::make_shared<Parameters>(parameters(ts, "ts"));
   const std::size_t segments = twist.rmf().path().segments().size();
-  require_inside(*at, twist.rmf().path().end(), ts);
+  require_inside(*at, twist.rmf().path().end());
   TableColumns columns{.frames = {TabulatedFrame::exact_mtf}};
   columns.exact_mtf = twist;
   const auto numbers = std::make_shared<DoubleArray>(at->size() * 9);

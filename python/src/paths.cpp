@@ -262,7 +262,11 @@ void bind_path(nb::module_& m, PathClass& path) {
           nb::sig("def segments(self) -> tuple[Path, ...]"), "The curves it is made of, as paths.")
       .def_prop_ro(
           "is_ph", [](const PathObject& self) { return self.ph.has_value(); },
-          "Are all of its segments PH curves? Then there are closed forms.")
+          "Are all of its segments polynomial PH curves?")
+      .def_prop_ro(
+          "has_erf", [](const PathObject& self) { return self.named.path.has_erf(); },
+          "Are all of its segments PH curves, polynomial or rational ones? They have an "
+          "Euler-Rodrigues frame.")
       .def_prop_ro(
           "kind", [](const PathObject& self) { return kind_of(self); },
           "What all of its segments are, \"ph\", \"polynomial\", \"rational\" or \"expressions\"; "

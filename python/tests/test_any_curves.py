@@ -5,6 +5,7 @@ import math
 import os
 import pickle
 import random
+import re
 import subprocess
 from fractions import Fraction
 
@@ -105,6 +106,13 @@ def test_lengths_and_angles_agree_with_quadrature(seed):
         assert near(curve.arc_length("1/4"), integral(exact.speed, 0, 0.25), 9)
         s = Fraction(float(curve.length)) / 3
         assert abs(curve.arc_length(Fraction(str(curve.parameter_at(s).digits(20)))) - s) < Fraction(1, 10**15)
+
+
+def test_points_of_the_plane():
+    flat, space = [[0, 0], [1, "1/2"], [2, 0]], [[0, 0, 0], [1, "1/2", 0], [2, 0, 0]]
+    for make in (CURVE.bezier, CURVE.polyline, CURVE.cubic_spline, CURVE.through, lambda points: CURVE.nurbs(points, degree=2), lambda points: CURVE.near(points, 1)):
+        assert make(flat) == make(space)
+    assert CURVE.hermite([0, 0], [1, 0], [1, 1], [0, 1]) == CURVE.hermite([0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0])
 
 
 def test_a_helix():
@@ -325,21 +333,33 @@ def test_what_is_refused():
         ("x", lambda: CURVE.expressions("cos(s", "s", 0, 0, 1)),
         ("y", lambda: CURVE.expressions("cos(s)", "t", 0, 0, 1)),
         ("upper", lambda: CURVE.expressions("cos(s)", "s", 0, 0, "s")),
-        ("x, y, z", lambda: CURVE.expressions("1/(s - 1/2)", "sin(s)", 0, 0, 1)),
+        ("x", lambda: CURVE.expressions("1/(s - 1/2)", "sin(s)", 0, 0, 1)),
+        ("z", lambda: CURVE.expressions("s", "s", "1/(s - 1)", 0, 2)),
+        ("points[1]", lambda: CURVE.polyline([[0, 0], [1, 1, 0]])),
         ("ends", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], ends="free")),
         ("end_derivative", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], end_derivative=[1, 0, 0])),
         ("parameters[1]", lambda: CURVE.cubic_spline([[0, 0, 0], [1, 1, 1]], parameters=[1, 1])),
         ("curves[1]", lambda: phrame.Path([CUBIC, CUBIC])),
         ("up", lambda: CUBIC.angle(up=[1, 2, 0])),
         ("kind", lambda: CUBIC.frames([0], kind="erf")),
-        ("ts[1]", lambda: CUBIC.points([0, 2])),
         ("frame", lambda: CUBIC.angle("erf")),
     ]:
         with pytest.raises(phrame.InputError) as raised:
             ask()
         assert raised.value.place == place and str(raised.value).startswith(place + ": ")
-    with pytest.raises(phrame.DomainError):
-        CUBIC.point(2)
+    for place, ask in [
+        ("t", lambda: CUBIC.point(2)),
+        ("ts[1]", lambda: CUBIC.points([0, 2])),
+        ("ts[0]", lambda: CUBIC.frames([2], by="fraction")),
+        ("about", lambda: CUBIC.helicity([0, 0, 0])),
+    ]:
+        with pytest.raises(phrame.DomainError, match=re.escape(place)) as raised:
+            ask()
+        assert raised.value.place == place
+    pipe = str(ROOT / "examples/any/pipe.dxf")
+    with pytest.raises(phrame.InputError, match="there are 5 curves, and pick= names one") as raised:
+        phrame.read(pipe)
+    assert raised.value.place.startswith(pipe + ":line ")
     with pytest.raises(TypeError, match="text"):
         phrame.parse(3)
 

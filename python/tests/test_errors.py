@@ -44,7 +44,7 @@ from common import QUINTIC
         ("ts[1]", phrame.InputError, lambda: QUINTIC.frames(np.array([0, np.nan]))),
         ("ts", TypeError, lambda: QUINTIC.frames(0.5)),
         ("ts", TypeError, lambda: QUINTIC.points("0,1")),
-        ("ts[1]", phrame.InputError, lambda: phrame.Path([QUINTIC.segment(0, 1), QUINTIC.segment(1, 2)]).points([0, 3])),
+        ("ts[1]", phrame.DomainError, lambda: phrame.Path([QUINTIC.segment(0, 1), QUINTIC.segment(1, 2)]).points([0, 3])),
         ("by", phrame.InputError, lambda: QUINTIC.frames([0], by="time")),
         ("f2", phrame.InputError, lambda: QUINTIC.check([0, 1], [[1, 0, 0]])),
         ("curves[0]", TypeError, lambda: phrame.Path([1])),

@@ -348,7 +348,8 @@ def test_tables_are_read_by_rows_and_names(package, table):
     assert phrame.Curve.bezier(table([x, y, z], "xyz")) == expected
     assert phrame.Curve.bezier(table([z, x, y], "ZXY")) == expected
     assert phrame.Curve.bezier(table([x, y, z], "abc")) == expected
-    for columns, names in (([x, y], "xy"), ([x, x, y, z], "txyz"), ([x, y, z], "xyt")):
+    assert phrame.Curve.bezier(table([x, y], "xy")) == phrame.Curve.bezier([[a, b, 0] for a, b in zip(x, y)])
+    for columns, names in (([x], "x"), ([x, x, y, z], "txyz"), ([x, y, z], "xyt")):
         with pytest.raises(phrame.InputError, match="^points: the columns x, y, z are wanted, not "):
             phrame.Curve.bezier(table(columns, names))
     ts = [0.0, 0.25, 1.0]

@@ -262,7 +262,10 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (given.poses && !given.poses->turns.empty() && given.poses->turns.size() != data.segments() &&
       given.poses->turns.size() != given.points.size() - 1)
     throw InputError(
-        "/turns", fmt::format("{} for {} points", given.poses->turns.size(), given.points.size()));
+        "/turns",
+        fmt::format("{} for {} points; {} wanted, one for each segment", given.poses->turns.size(),
+                    given.points.size(),
+                    data.segments() == 1 ? "1 is" : fmt::format("{} are", data.segments())));
   const Deviation tolerance{
       query.tolerance * size_of_points(data),
       row->named.continuity == Continuity::g1 ? query.tolerance

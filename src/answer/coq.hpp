@@ -54,8 +54,8 @@ struct CoqAnswer {
   } effort;  ///< what the proof takes
 };
 
-/// Throws DomainError for t ≤ 0, where A or W has a zero in [0, t], and for the Frenet frame where
-/// g has one, an inflection; and as start_angle().
+/// Throws DomainError for t ≤ 0, for Reference::up, where A or W has a zero in [0, t], and for the
+/// Frenet frame where g has one, an inflection; and as start_angle().
 CoqAnswer answer(const Curve& curve, const CoqQuery& query);
 
 }  // namespace phrame

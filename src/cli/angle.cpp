@@ -86,8 +86,8 @@ void add_angle(Program& program) {
   options->parameters.add_to(command);
   command.add_choice(
       "--frame", options->frame, {"erf", "frenet", "up"},
-      "the frame the angle is measured from: erf (default of PH curves, which alone\n"
-      "have it), up (default of others) or frenet");
+      "the frame the angle is measured from: erf, which PH curves alone have (default\n"
+      "of polynomial ones), up (default of others) or frenet");
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   add_digits(command, options->digits);

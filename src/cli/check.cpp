@@ -258,7 +258,7 @@ void add_check(Program& program) {
   options->curve.add_to(command);
   options->curve.reading.skips_where_possible = true;  // the frames have rows, too
   command.add_optional_argument("FRAMES", options->frames,
-                                "a table of frames (text or .npy), \"-\" for standard input");
+                                "a table of frames (text, JSON or .npy), \"-\" for standard input");
   command.add_flag("--suite", options->is_suite,
                    "CURVE is a folder of tables for the reference collection, NAME.csv, .npy or\n"
                    ".txt, those at several steps in folders there; one report on all of them");

@@ -75,12 +75,13 @@ NamedPhPath read_ph_path(std::string_view text, const CurveOptions& options) {
   try {
     return phrame::read_path(text, options.limits);
   } catch (const InputError& error) {
-    if (error.place() != "/phrame" && error.place() != "1:1") throw;
+    if (error.place() != "/phrame" && !error.place().starts_with("1:")) throw;
     const std::exception_ptr first = std::current_exception();
     std::optional<NamedPath> other;
     try {
       other = read_any(text, options);
     } catch (const InputError&) {
+      if (error.place().starts_with("1:")) throw;  // it knows more formats
       std::rethrow_exception(first);
     }
     return ph_path_of(*other);
@@ -101,22 +102,28 @@ bool is_polynomial(const Segment& segment) {
   return curve != nullptr && curve->weight().is_constant();
 }
 
+/// Of one that is rational, segment k of so many.
+std::string needs_polynomial(std::size_t k, std::size_t count) {
+  return fmt::format("needs a polynomial Pythagorean-hodograph curve, and {} is a rational one",
+                     count == 1 ? "this" : fmt::format("segment {}", k + 1));
+}
+
 }  // namespace
 
 void require_polynomial(const std::vector<Curve>& segments, const std::string& file) {
   for (std::size_t k = 0; k < segments.size(); ++k)
     if (!segments[k].is_polynomial())
-      throw InputError(
-          file,
-          fmt::format("this command needs a polynomial Pythagorean-hodograph curve, and {} is "
-                      "a rational one",
-                      segments.size() == 1 ? "this" : fmt::format("segment {}", k + 1)));
+      throw InputError(file, "this command " + needs_polynomial(k, segments.size()));
 }
 
 std::string needs_ph(const Path& path) {
   const auto& segments = path.segments();
   const auto ph = std::find_if(segments.begin(), segments.end(), ph_curve);
   const auto other = std::find_if_not(segments.begin(), segments.end(), ph_curve);
+  if (other == segments.end()) {
+    const auto rational = std::find_if_not(segments.begin(), segments.end(), is_polynomial);
+    return needs_polynomial(static_cast<std::size_t>(rational - segments.begin()), segments.size());
+  }
   const std::string none = fmt::format(
       "needs a Pythagorean-hodograph curve, and {} is none",
       ph == segments.end() ? "this" : fmt::format("segment {}", other - segments.begin() + 1));
@@ -196,6 +203,10 @@ Roll RollOption::chosen(const CurveOptions& curve) const {
   return Roll(angles);
 }
 
+void RollOption::check(const Roll& made, std::size_t segments) const {
+  at_option(roll ? "--roll" : "--roll-column", [&] { made.require_along(segments); });
+}
+
 std::optional<Rational> parse_near_option(const std::optional<std::string>& near) {
   if (!near) return std::nullopt;
   Rational epsilon = parse_option("--near", *near);
@@ -204,7 +215,9 @@ std::optional<Rational> parse_near_option(const std::optional<std::string>& near
 }
 
 void CurveOptions::add_curve_to(Command& command) {
-  command.add_argument("CURVE", path, "a curve file (JSON), \"-\" for standard input");
+  command.add_argument("CURVE", path,
+                       "a curve file, \"-\" for standard input\n"
+                       "(JSON, a table of points, SVG, DXF, STEP, IGES, G-code, glTF and others)");
   add_near(command, near);
   command.add_option("--max-corner", "ANGLE", max_corner,
                      "refuse a path whose tangent breaks by more at a joint: 1e-6, 5deg, pi/4");
@@ -270,8 +283,11 @@ std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
   for (const ParameterPoint& point : along.points(at, asked.samples)) {
     const Real t = parameter(point.at);
     if (!t.exact())
-      throw InputError("--by", fmt::format("at {} t is irrational, and here it is a fraction",
-                                           approximate(point.value.enclose(64))));
+      throw InputError(
+          "--by",
+          fmt::format(
+              "the t of the place {} is irrational, and this command takes t that are fractions",
+              approximate(point.value.enclose(64))));
     ts.push_back(*t.exact());
   }
   return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(ts)};
@@ -464,6 +480,13 @@ Vector<Rational> parse_vector_option(const std::string& option, const std::strin
     throw InputError(option, "\"" + abbreviated(text) + "\" is not a vector x,y,z");
   return {parse_option(option, parts[0]), parse_option(option, parts[1]),
           parse_option(option, parts[2])};
+}
+
+Vector<Rational> parse_normal_option(const std::string& option, const std::string& text,
+                                     const Path& path, const Place& at) {
+  Vector<Rational> normal = parse_vector_option(option, text);
+  at_option(option, [&] { require_start_normal(StartNormal(normal), path, at); });
+  return normal;
 }
 
 void add_digits(Command& command, long& digits) {

@@ -80,7 +80,8 @@ struct CurveOptions {
 };
 
 /// "needs a Pythagorean-hodograph curve, and this is none", with what finds one: nothing does for a
-/// straight line, where every frame that does not turn is right.
+/// straight line, where every frame that does not turn is right. Of rational PH curves "needs a
+/// polynomial Pythagorean-hodograph curve, and this is a rational one".
 std::string needs_ph(const Path& path);
 
 /// --by, of which `what` tells up to its first name, t; it may be by times of a motion, too.
@@ -127,6 +128,9 @@ Rational parse_positive_option(const std::string& option, const std::string& tex
 Angle parse_angle_option(const std::string& option, const std::string& text);
 /// The same of a vector: "1,0,1/2".
 Vector<Rational> parse_vector_option(const std::string& option, const std::string& text);
+/// The same of one that has a part across the tangent there.
+Vector<Rational> parse_normal_option(const std::string& option, const std::string& text,
+                                     const Path& path, const Place& at);
 
 /// --digits, from 1 to 100 000.
 void add_digits(Command& command, long& digits);
@@ -186,6 +190,8 @@ struct RollOption {
   std::string column_name() const;
   /// What is asked for, with the table that the curve is read from. Throws InputError.
   Roll chosen(const CurveOptions& curve) const;
+  /// Throws InputError where that is not finite all along, or has another number of values.
+  void check(const Roll& roll, std::size_t segments) const;
   static std::vector<std::string> names() { return {"--roll", "--roll-column"}; }
 };
 

@@ -50,14 +50,10 @@ std::pair<double, double> interval(const Command& command, const CompileOptions&
 void require_frame(const Command& command, const CompileOptions& options, const Path& path,
                    const CompiledQuery& query) {
   require_reference(query.reference, options.up, path);
-  if (!path.is_ph() || query.up) {
+  if (!path.is_ph() || query.up || path.segments().size() > 1)
     command.refuse({"--from", "--to"},
-                   "is for single Pythagorean-hodograph curves by erf or frenet; others are "
-                   "compiled as a whole");
-  } else if (path.segments().size() > 1) {
-    if (command.is_given("--from")) fail_for_spline("--from", options.from);
-    if (command.is_given("--to")) fail_for_spline("--to", options.to);
-  }
+                   "is for single polynomial Pythagorean-hodograph curves by erf or frenet; others "
+                   "are compiled as a whole");
 }
 
 void run(const Command& command, const CompileOptions& options) {
@@ -90,8 +86,8 @@ void add_compile(Program& program) {
                      "of the names in C (default: the curve's name)");
   command.add_choice(
       "--frame", options->frame, {"erf", "frenet", "up"},
-      "the frame the angle is measured from: erf (default of PH curves), up (default of\n"
-      "others), or frenet: only the angle");
+      "the frame the angle is measured from: erf (default of polynomial PH curves), up\n"
+      "(default of others), or frenet: only the angle");
   options->start.add_to(command, StartOptions::Rule::least_rotation);
   options->up.add_to(command,
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");

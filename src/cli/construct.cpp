@@ -57,7 +57,8 @@ ConstructQuery query(const ConstructOptions& options) {
   ConstructQuery query;
   std::vector<std::pair<std::string, CurveKind>> kinds;
   for (const NamedKind& named : curve_kinds()) kinds.emplace_back(named.name, named.kind);
-  if (options.kind != minkowski) query.kind = choose("--kind", options.kind, kinds);
+  kinds.emplace_back(minkowski, CurveKind());  // which has its own query
+  query.kind = choose("--kind", options.kind, kinds);
   query.choice = chosen_quintic(options);
   query.solution = options.solution;
   for (const std::string& text : split(options.lengths)) {
@@ -136,6 +137,20 @@ void run_axis(const GivenPoints& given, const ConstructOptions& options,
   if (options.output.empty() || print != write_axis) options.length.write("-", print(found));
 }
 
+/// What is wrong is in the file, or in --turns.
+ConstructionAnswer made_of(const GivenPoints& given, const ConstructQuery& asked,
+                           const ConstructOptions& options) {
+  try {
+    return answer(given, asked);
+  } catch (const InputError& error) {
+    if (error.place() == "/turns" && !options.turns.empty())
+      throw InputError("--turns", error.reason());
+    throw InputError(
+        name_of_file(options.data) + (error.place().empty() ? "" : ":") + error.place(),
+        error.reason());
+  }
+}
+
 /// Where another axis is so much nearer to the chords that it may have been meant.
 void note_on_axis(const ConstructionAnswer& answer, const std::string& file) {
   if (!answer.poses || !answer.poses->better) return;
@@ -161,7 +176,7 @@ void run(const Command& command, const ConstructOptions& options) {
     leave_parameters_out(given, "without that of the end of the closed curve");
   for (const std::string& text : notes_on_columns(given)) note(fmt::format("{}: {}", file, text));
   if (options.kind == minkowski) return run_axis(given, options, asked.tolerance);
-  const ConstructionAnswer found = at_place(file, ":", [&] { return answer(given, asked); });
+  const ConstructionAnswer found = made_of(given, asked, options);
   note_on_axis(found, file);
   if (!options.output.empty()) write_output(options.output, curve_of(found));
   if (options.output.empty() || print != curve_of) options.length.write("-", print(found));

@@ -249,7 +249,7 @@ void tabulate(const FramesOptions& options, TableColumns& chosen, const Use& use
   curve.reading.other_columns = {options.roll.column_name()};
   const NamedPath named = curve.read_any_path();
   const Path& path = named.path;
-  chosen.roll.require_along(path.segments().size());
+  options.roll.check(chosen.roll, path.segments().size());
   const bool is_to_up = has_frame(chosen, TabulatedFrame::up) || options.start.is_up();
   if (options.up.vector && !is_to_up && has_frame(chosen, TabulatedFrame::mtf))
     throw InputError("--up", "mtf and mtf-exact are at angles to the Euler-Rodrigues frame here");

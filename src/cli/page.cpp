@@ -35,14 +35,15 @@ void run(const Command& command, const PageOptions& options) {
   PageQuery query;
   query.samples = options.samples;
   query.start = options.start.given();
-  if (options.end_normal)
-    query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
   if (options.curve.path == "-" && options.frames == "-")
     throw InputError("page", "the curve and the frames are both to be read from standard input");
   const NamedPath named = options.curve.read_any_path();
   query.given = given_frames(command, options, named);
   query.up = options.up.chosen(named.path, options.start.is_up());
   options.start.check(named.path, query.up);
+  if (options.end_normal)
+    query.end_normal =
+        parse_normal_option("--end-normal", *options.end_normal, named.path, end_of(named.path));
   write_output(options.curve.output, to_page(answer(named, query)));
 }
 

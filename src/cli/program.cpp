@@ -322,6 +322,16 @@ void Command::refuse_format(const std::string& why) const {
   throw InputError(format_option_, fmt::format("\"{}\" {}", *format_, why));
 }
 
+void Command::require_known_names(const std::string& option,
+                                  const std::vector<std::string>& names) const {
+  const auto values = values_.find(option);
+  if (values == values_.end()) return;
+  for (const std::string& value : values->second())
+    if (std::ranges::find(names, value) == names.end())
+      throw InputError(option, fmt::format("\"{}\" is not one of {}", abbreviated(value),
+                                           fmt::join(names, ", ")));
+}
+
 void Command::require_applicable() const {
   const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
   for (const auto& [option, facts] : facts_) {
@@ -330,8 +340,9 @@ void Command::require_applicable() const {
         throw InputError(option, "is required (phrame " + name() + " --help)");
       continue;
     }
-    if (!facts.with.empty() && std::none_of(facts.with.begin(), facts.with.end(), chosen))
-      throw InputError(option, "needs " + alternatives(facts.with));
+    const bool lacks = !facts.with.empty() && std::ranges::none_of(facts.with, chosen);
+    if (lacks) require_known_names(option, facts.names);
+    if (lacks) throw InputError(option, "needs " + alternatives(facts.with));
     const auto against = std::find_if(facts.without.begin(), facts.without.end(), chosen);
     if (against != facts.without.end()) throw InputError(option, "does not apply with " + *against);
   }

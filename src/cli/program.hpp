@@ -152,6 +152,8 @@ class Command {
   CLI::Option& named(const std::string& name) const;  ///< throws where there is none
   OptionFacts& facts_of(const CLI::Option& option);
   bool is_chosen(const std::string& choice) const;
+  /// Throws InputError where one of its values is none of these.
+  void require_known_names(const std::string& option, const std::vector<std::string>& names) const;
   void require_applicable() const;
   void choose_format() const;
   void check_ending() const;

@@ -15,7 +15,9 @@ struct ProveOptions {
 };
 
 void run(const ProveOptions& options) {
-  const Reference reference = chosen_reference(options.frame);
+  const auto reference =
+      choose<Reference>("--frame", options.frame,
+                        {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
   const FrameStart start = options.start.start();
   const Rational x = parse_option("--at", options.at);
   if (options.by == "t" && x <= 0) throw InputError("--at", as_written(x) + " is not positive");

@@ -95,15 +95,18 @@ std::optional<Vector<Rational>> origin_of(const SweepOptions& options) {
   return origin;
 }
 
-SweepQuery query_of(const SweepOptions& options, std::size_t segments) {
+SweepQuery query_of(const SweepOptions& options, const Path& path) {
   const SweepScale scale = sweep_scale_of(options);
-  const double greatest = scale.greatest(segments);
+  const std::size_t segments = path.segments().size();
+  const double greatest = at_option(options.scale_column ? "--scale-column" : "--scale",
+                                    [&] { return scale.greatest(segments); });
   const Profile profile = profile_of(options, greatest);
   SweepQuery query{profile, options.start.start()};
   query.scale = scale;
   query.roll = options.roll.chosen(options.curve);
+  options.roll.check(query.roll, segments);
   if (options.end_normal)
-    query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
+    query.end_normal = parse_normal_option("--end-normal", *options.end_normal, path, end_of(path));
   if (options.twist) query.twist = parse_angle_option("--twist", *options.twist);
   query.normal_tolerance = normal_angle(options);
   query.profile_within = [&options, greatest](const Rational& angle) {
@@ -209,12 +212,13 @@ RationalSweepAnswer exact_answer(const NamedPath& named, const RationalSweepQuer
   }
 }
 
-RationalSweepQuery exact_query(const SweepOptions& options) {
+RationalSweepQuery exact_query(const SweepOptions& options, const Path& path) {
   RationalSweepQuery query{given_profile(options, parse_profile_curve, read_profile_curve),
                            options.start.start()};
   query.scale = scale_of(options);
+  at_option("--scale", [&] { SweepScale(query.scale).require_along(path.segments().size()); });
   if (options.end_normal)
-    query.end_normal = parse_vector_option("--end-normal", *options.end_normal);
+    query.end_normal = parse_normal_option("--end-normal", *options.end_normal, path, end_of(path));
   if (options.degree > 0)
     query.twist_degree = options.degree;
   else if (query.end_normal)
@@ -239,7 +243,7 @@ void run_exact(const Command& command, const SweepOptions& options) {
     note(
         "the orientations that come with the path are left aside: a mesh, without --exact, has "
         "them");
-  const RationalSweepAnswer made = exact_answer(path, exact_query(options));
+  const RationalSweepAnswer made = exact_answer(path, exact_query(options, path.path));
   write_output(options.curve.output, format(made));
   const auto& patches = made.surface.patches;
   if (options.curve.output != "-")
@@ -257,7 +261,7 @@ void run(const Command& command, const SweepOptions& options) {
   const NamedPath named = curve.read_any_path();
   const auto up = UpOption().chosen(named.path, options.start.is_up());
   options.start.check(named.path, up);
-  SweepQuery query = query_of(options, named.path.segments().size());
+  SweepQuery query = query_of(options, named.path);
   query.up = up;
   if (named.frame && !options.start.given() && !options.end_normal) query.through = named.frame;
   SweepAnswer made = answer(named, query);

@@ -1,6 +1,7 @@
 #include "phrame/answer/totals.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/answers.hpp"
+#include "phrame/ph/along/up_vector.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -23,8 +24,12 @@ void run(const TotalsOptions& options) {
     other.path = *options.other;
     query.other = other.read_any_path();
   }
-  if (options.helicity) query.helicity_about = parse_vector_option("--helicity", *options.helicity);
   const NamedPath path = options.curve.read_any_path();
+  if (options.helicity) {
+    const Vector<Rational> v = parse_vector_option("--helicity", *options.helicity);
+    at_option("--helicity", [&] { require_up_vector(path.path, v); });
+    query.helicity_about = v;
+  }
   options.length.write(options.curve.output, print(answer(path, query)));
 }
 

@@ -1,5 +1,9 @@
 #include "phrame/answer/transform.hpp"
 
+#include <algorithm>
+#include <functional>
+
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/curve_file.hpp"
 #include "phrame/io/write/names.hpp"
@@ -61,6 +65,9 @@ TransformQuery query(const TransformOptions& options) {
   query.is_whole_line = options.is_whole_line;
   query.by = choose("--by", options.by, parameter_kinds());
   query.split = parse_list_option("--split", options.split);
+  if (const auto back = std::ranges::adjacent_find(query.split, std::greater_equal());
+      back != query.split.end())
+    throw InputError("--split", as_written(*(back + 1)) + " is not behind the one before it");
   if (options.part) {
     const auto ends = parse_list_option("--part", {*options.part});
     if (ends.size() != 2)

@@ -12,10 +12,7 @@ FrameStart end_of(const std::string& name, const std::optional<std::string>& ang
   if (angle && vector) throw InputError(name, "the angle is given twice");
   if (angle) return parse_angle_option(name, *angle);
   if (!vector) return LeastRotation();
-  const std::string option = name + "-vector";
-  const StartNormal normal(parse_vector_option(option, *vector));
-  at_option(option, [&] { require_start_normal(normal, path, at); });
-  return normal;
+  return StartNormal(parse_normal_option(name + "-vector", *vector, path, at));
 }
 
 /// What --subdivide takes besides words.

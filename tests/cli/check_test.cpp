@@ -81,6 +81,9 @@ TEST_CASE("check: bad input is refused with its place") {
   check_failure(here.run("check quintic.json bad.csv --tangent-axis w"), 2,
                 "--tangent-axis: \"w\" is not one of x, y, z, -x, -y, -z");
   check_failure(here.run("check - - < quintic.json"), 2, "check: the curve and the frames");
+  here.write("names.json", R"({"phrame": "frames/1", "columns": ["t"], "rows": [[0, 1]]})");
+  check_failure(here.run("check quintic.json names.json"), 2,
+                "names.json:/columns: 1 name for rows of 2\n");
 }
 
 TEST_CASE("check: the program reads its own tables in every form") {
@@ -91,7 +94,7 @@ TEST_CASE("check: the program reads its own tables in every form") {
   for (const std::string curve : {"quintic.json", "negative.json"}) {
     CAPTURE(curve);
     for (const std::string options :
-         {"", " --format npy", " --frame rmf,rmf", " --frame rmf,erf,frenet",
+         {"", " --format npy", " --format json", " --frame rmf,rmf", " --frame rmf,erf,frenet",
           " --frame rmf,erf --columns s --format npy",
           " --frame mtf,mtf-exact,rmf --from 0 --to pi/4"}) {
       CAPTURE(options);

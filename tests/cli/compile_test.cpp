@@ -307,10 +307,10 @@ TEST_CASE("compile: of a spline there is one angle and one frame, through the jo
     }
   }
   CHECK(rows[0][11] < 0x1p-50);
-  check_failure(shop.run("compile spline.json --to 2"), 2, "--to: \"2\" is for single curves");
+  check_failure(shop.run("compile spline.json --to 2"), 2, "--to: is for single polynomial");
   // What is given is not ignored, though it be the default of a curve.
-  check_failure(shop.run("compile spline.json --to 1"), 2, "--to: \"1\" is for single curves");
-  check_failure(shop.run("compile spline.json --from 0"), 2, "--from: \"0\" is for single curves");
+  check_failure(shop.run("compile spline.json --to 1"), 2, "--to: is for single polynomial");
+  check_failure(shop.run("compile spline.json --from 0"), 2, "--from: is for single polynomial");
   check_failure(shop.run("compile spline.json --frame frenet"), 3, "at the joint t = 1 it jumps");
 }
 
@@ -407,7 +407,8 @@ TEST_CASE("compile: curves of any kind, by angles to the frame of v") {
   check_success(frenet);
   CHECK_FALSE(test::contains(frenet.out, "cubic_frame"));
   check_success(shop.run("compile cubic.json --start-normal 1,1,0"));
-  check_failure(shop.run("compile cubic.json --to 1/2"), 2, "--to: is for single Pythagorean");
+  check_failure(shop.run("compile cubic.json --to 1/2"), 2,
+                "--to: is for single polynomial Pythagorean");
   check_failure(shop.run("compile cubic.json --frame erf"), 2, "--frame: \"erf\" needs");
   check_failure(shop.run("compile cubic.json --up 1,0,0"), 2, "--up: the up vector (1, 0, 0) is");
   check_failure(shop.run("compile cubic.json --start-normal 1,0,0"), 2, "--start-normal: ");

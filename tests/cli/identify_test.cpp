@@ -257,6 +257,16 @@ TEST_CASE("--near: splines get exact joints") {
   check_success(here.run("identify spline.json --near 1e-14 --print json"));
   check_failure(here.run("identify spline.json --near 1e-17"), 1,
                 "no PH curve was found within 1e-17; the nearest one is ");
+  const auto cubics = [&here](const std::string& second) {
+    here.write("cubics.json",
+               R"({"phrame": "spline/1", "segments": [
+                   {"control_points": [[0, 0, 0], [1, 1, 0], [1, -1, 1], [2, 0, 0]]},
+                   {"control_points": [[2, 0, 0], )" +
+                   second + ", [3, -1, 1], [4, 0, 0]]}]}");
+    return here.run("identify cubics.json --near 9");
+  };
+  check_failure(cubics("[3, 1, -1]"), 1, "those near its segments do not join smoothly\n");
+  check_failure(cubics("[3, 1, 0]"), 2, "the tangent breaks where segment 2 begins\n");
   const Run certificate = here.run("certify spline.json --near 1e-14");
   CHECK(certificate.status == 0);
   CHECK(contains(certificate.out, "\"path-certificate/1\""));

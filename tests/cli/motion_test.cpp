@@ -150,7 +150,7 @@ TEST_CASE("--by: places of all commands are told by any parameter") {
   CHECK(here.run("certify quintic.json --by fraction --at 1").out ==
         here.run("certify quintic.json --at 1").out);
   check_failure(here.run("certify quintic.json --by arc-length --at 1"), 2,
-                "--by: at 1 t is irrational, and here it is a fraction");
+                "--by: the t of the place 1 is irrational, and this command takes t that are fractions");
   CHECK(here.run("prove quintic.json --by fraction --at 1").out ==
         here.run("prove quintic.json --at 1").out);
   check_failure(here.run("prove quintic.json --by fraction --at 0"), 2, "--at: 0 is the start");

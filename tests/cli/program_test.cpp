@@ -140,6 +140,17 @@ TEST_CASE("program: what is typed wrongly is refused by name") {
   check_failure(here.run("info quintic.json --print maple"), 2, "--print: \"maple\" is not one of");
   check_failure(here.run("frames quintic.json --at 0 --format xls"), 2, "--format: \"xls\"");
   check_failure(here.run("frames quintic.json --at 0 --frame rmf,,erf"), 2, "--frame: \"\" is not");
+  check_failure(here.run("frames quintic.json --by foo"), 2, "--by: \"foo\" is not one of t, ");
+  check_failure(here.run("construct points.csv --kind foo"), 2, "length, minkowski\n");
+  check_failure(here.run("prove quintic.json --frame up"), 2,
+                "--frame: \"up\" is not one of erf, frenet\n");
+  check_failure(here.run("totals quintic.json --helicity 0,0,0"), 2,
+                "--helicity: the up vector is 0\n");
+  for (const std::string call : {"page", "sweep --profile circle:1/9"})
+    check_failure(here.run(call + " quintic.json --end-normal 0,0,0 -o out"), 2,
+                  "--end-normal: the vector (0, 0, 0) has no part in the normal plane\n");
+  check_failure(here.run("transform quintic.json --split 1/2,1/4"), 2,
+                "--split: 1/4 is not behind");
 }
 
 TEST_CASE("program: options with numbers refuse what is none or too large") {
@@ -372,7 +383,7 @@ TEST_CASE("program: no message begins with the name of a function") {
                 "phrame: proof: the preimage has a zero between 0 and t = 1,");
   here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
   check_failure(here.run("certify table.csv"), 2,
-                "phrame: table.csv:1:2: a curve file is JSON, this begins with \"t,x,y,z\"\n");
+                "phrame: table.csv:line 2: there is one point; a curve needs two at least\n");
   check_failure(here.run("verify table.csv"), 2,
                 "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");
   check_failure(here.run("check line.json ."), 2, "phrame: .: is a directory, not a file\n");

@@ -41,6 +41,18 @@ TEST_CASE("offset: of a circle all is known, trimmed and until nothing is left, 
   CHECK(contains(here.run("offset circle.json --distance -1 --pocket").out, "none"));
 }
 
+TEST_CASE("rational PH: what is of polynomial curves says that this is a rational one") {
+  const Workshop here;
+  here.write("circle.json", circle);
+  here.write("arc.json", R"({"phrame": "curve/1", "control_points": [[1, 0], [1, 1], [0, 1]],
+                             "weights": [1, 1, 2]})");
+  const std::string need = "needs a polynomial Pythagorean-hodograph curve, and ";
+  check_failure(here.run("mtf arc.json --from 0 --to 1 --degree 2"), 2,
+                need + "this is a rational one\n");
+  check_failure(here.run("frames circle.json --samples 2 --frame mtf"), 2,
+                need + "segment 1 is a rational one\n");
+}
+
 TEST_CASE("rational PH: a multiplier is n/d, or one line says where there is a logarithm") {
   const Workshop here;
   // 1/(t + 2)⁴ times 1 + t² − t⁴, 2t²… has residues; (t + 2)⁻⁶ has none, as the degree is 4.

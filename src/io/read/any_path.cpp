@@ -166,6 +166,28 @@ bool is_table(std::string_view text) {
   }
 }
 
+/// Of lines with names and numbers below, that no name is that of x. Throws InputError.
+void refuse_other_table(std::string_view content) {
+  const auto end = content.find_first_of("\r\n");
+  if (content.starts_with('{') || end == std::string_view::npos) return;
+  const std::string_view rest = trimmed(content.substr(end));
+  const std::string_view second = rest.substr(0, rest.find_first_of("\r\n"));
+  std::vector<std::string> names;
+  try {
+    names = header_names(content.substr(0, end));
+    const std::vector<std::string> values = header_names(second);
+    if (names.size() < 2 || values.size() != names.size() ||
+        std::ranges::none_of(values, [](const std::string& value) {
+          return value.find_first_of("0123456789") == 0;
+        }))
+      return;
+  } catch (const InputError&) {
+    return;  // a quote that is not closed
+  }
+  throw InputError("line 1", fmt::format("columns x, y and z, or x and y, are wanted; these are {}",
+                                         abbreviated(fmt::format("{}", fmt::join(names, ", ")))));
+}
+
 /// Of lists, [t, c, k] is no table; what is no JSON is complained of by whoever reads a table.
 bool is_scipy_list(std::string_view text) {
   try {
@@ -219,6 +241,7 @@ NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
     reading.refuse_picking("an SVG path");
     return path_of("", read_path_data(text, 0, text.size()), limits.gap);
   }
+  refuse_other_table(content);
   return read_json_path(text, limits, reading);  // which says what it begins with, if not JSON
 }
 

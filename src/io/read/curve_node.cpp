@@ -5,6 +5,7 @@
 #include <array>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/bspline_node.hpp"
 #include "phrame/ph/curve/complex_form.hpp"
 #include "phrame/ph/curve/rational_ph.hpp"
 
@@ -224,8 +225,7 @@ NamedHodograph read_bezier(const Node& node, const Node& list, const CurveLimits
   if (static_cast<long>(list.size()) > limits.max_degree + 1)
     list.fail(fmt::format("{} points make a degree beyond the limit {}; --max-degree raises it",
                           list.size(), limits.max_degree));
-  std::vector<Vector<Rational>> points;
-  for (std::size_t k = 0; k < list.size(); ++k) points.push_back(read_point(list.item(k)));
+  const std::vector<Vector<Rational>> points = read_points_of_any_dimension(list);
   NamedHodograph result{read_name(node), bezier_hodograph(points), points.front()};
   if (result.hodograph == Vector<Polynomial>{})
     list.fail("the control points are all equal, so the curve is a single point");

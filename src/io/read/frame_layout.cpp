@@ -61,7 +61,8 @@ FrameLayout::FrameLayout(const ColumnNames& names, const std::string& place,
   find_parameter(names);
   for (Group* group : {&f2_, &f3_, &e1_, &q_}) find(*group, names);
   if (f2_.columns.empty() && !has_quaternions())
-    fail("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
+    fail(fmt::format("columns f2x, f2y, f2z or qw, qx, qy, qz are wanted; these are {}",
+                     abbreviated(fmt::format("{}", fmt::join(names, ", ")), 120)));
   for (const Group* group : {&f2_, &f3_, &e1_})
     if (!group->columns.empty() && has_quaternions())
       fail(fmt::format("columns of vectors ({}) and of quaternions (qw) exclude each other",
@@ -87,7 +88,8 @@ void FrameLayout::find_parameter(const ColumnNames& names) {
   if (position_ && other != names.end()) time_ = static_cast<std::size_t>(other - names.begin());
   if (position_) return;
   fail(other == names.end()
-           ? "a column \"t\" is wanted"
+           ? fmt::format("a column \"t\" is wanted; these are {}",
+                         abbreviated(fmt::format("{}", fmt::join(names, ", ")), 120))
            : fmt::format("missing is the column t: \"{}\" is another name", abbreviated(*other)));
 }
 

@@ -21,8 +21,19 @@ std::size_t width_of(const JsonNode& row) {
 
 }  // namespace
 
+bool is_frame_table(const JsonNode& node) {
+  if (!node.is(Kind::object)) return false;
+  const auto format = node.find("phrame");
+  return format && format->is(Kind::string) && format->string() == "frames/1";
+}
+
+JsonNode JsonTable::list() const {
+  const JsonNode whole(document_);
+  return is_frame_table(whole) ? whole.at("rows") : whole;
+}
+
 JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
-  const JsonNode list(document_);
+  const JsonNode list = this->list();
   list.require(Kind::array, "a list of rows");
   if (list.size() == 0) list.fail("the list is empty");
   const JsonNode first = list.item(0);
@@ -34,6 +45,12 @@ JsonTable::JsonTable(JsonValue document) : document_(std::move(document)) {
   else
     lay_out_objects(first);
   if (columns_.empty()) first.fail("the row is empty");
+  if (!is_frame_table(JsonNode(document_))) return;
+  const JsonNode names = JsonNode(document_).at("columns");
+  names.require(Kind::array, "an array of names");
+  if (names.size() != columns_.size())
+    names.fail(fmt::format("{} for rows of {}", counted(names.size(), "name"), columns_.size()));
+  for (std::size_t k = 0; k < names.size(); ++k) names_.push_back(names.item(k).string());
 }
 
 void JsonTable::lay_out_lists(const JsonNode& list) {
@@ -71,7 +88,7 @@ void JsonTable::lay_out_objects(const JsonNode& first) {
 }
 
 std::optional<JsonNode> JsonTable::find(std::size_t row, std::size_t column) const {
-  std::optional<JsonNode> node = JsonNode(document_).item(row);
+  std::optional<JsonNode> node = list().item(row);
   for (const Step& step : columns_[column]) {
     if (!step.key.empty() && node->is(Kind::object))
       node = node->find(step.key);
@@ -84,7 +101,7 @@ std::optional<JsonNode> JsonTable::find(std::size_t row, std::size_t column) con
   return node;
 }
 
-std::string JsonTable::place(std::size_t row) const { return fmt::format("/{}", row); }
+std::string JsonTable::place(std::size_t row) const { return list().item(row).place(); }
 
 std::string JsonTable::place_in_row(std::size_t row, std::size_t column,
                                     std::string_view name) const {

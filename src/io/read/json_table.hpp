@@ -6,18 +6,22 @@
 
 namespace phrame::inline v0 {
 
+/// Is it a frames/1?
+bool is_frame_table(const JsonNode& node);
+
 /// A table in JSON: a list of rows. Each is a list of numbers, or of lists of them, as a matrix is;
 /// or an object, whose keys are the columns: those of the first row. A member that is an object has
 /// columns "position.x", and so has a list of two or three numbers. Members that are missing or
-/// null are no numbers.
+/// null are no numbers. Or an object frames/1, as phrame frames writes it, with the names of the
+/// columns beside the rows.
 class JsonTable : public NumberTable {
  public:
   /// Throws InputError for what is no such list, or has no row, and for rows of unequal widths; its
   /// place is a JSON pointer.
   explicit JsonTable(JsonValue document);
 
-  std::string header_place() const override { return "/0"; }
-  std::size_t rows() const override { return document_.items.size(); }
+  std::string header_place() const override { return list().item(0).place(); }
+  std::size_t rows() const override { return list().size(); }
   std::size_t columns() const override { return columns_.size(); }
   std::string place(std::size_t row) const override;
   std::string place_in_row(std::size_t row, std::size_t column,
@@ -33,6 +37,7 @@ class JsonTable : public NumberTable {
     std::size_t index = 0;
   };
   using Steps = std::vector<Step>;
+  JsonNode list() const;
   void lay_out_lists(const JsonNode& list);
   void lay_out_objects(const JsonNode& first);
   std::optional<JsonNode> find(std::size_t row, std::size_t column) const;

@@ -322,11 +322,34 @@ JsonValue parse_json(std::string_view text) {
   return builder.result();
 }
 
+namespace {
+
+/// Is the first line a document by itself, and does the next one begin another?
+bool begins_with_lines(std::string_view text) {
+  const auto end = text.find('\n');
+  if (end == std::string_view::npos ||
+      text.find('{', end) != text.find_first_not_of(" \t\r\n", end))
+    return false;
+  try {
+    parse_json(text.substr(0, end));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 JsonValue parse_json_file(std::string_view text, std::string_view kind) {
   try {
     return parse_json(text);
   } catch (const InputError& error) {
     const auto begin = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (begin != std::string_view::npos && text[begin] == '{' && begins_with_lines(text))
+      throw InputError(error.place(),
+                       fmt::format("a {} is one JSON document; these are JSON lines, which phrame "
+                                   "batch reads",
+                                   kind));
     if (begin == std::string_view::npos || text[begin] == '{' || text[begin] == '[') throw;
     const std::string_view rest = text.substr(begin);
     const std::string what =

@@ -83,6 +83,9 @@ std::unique_ptr<NumberTable> read_number_table(std::string_view bytes, const Tab
   const auto first = bytes.find_first_not_of(" \t\r\n", bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   if (first != std::string_view::npos && bytes[first] == '[')
     return std::make_unique<JsonTable>(parse_json(bytes));
+  if (first != std::string_view::npos && bytes[first] == '{')
+    if (JsonValue document = parse_json(bytes); is_frame_table(JsonNode(document)))
+      return std::make_unique<JsonTable>(std::move(document));
   return std::make_unique<TextTable>(bytes, reading);
 }
 

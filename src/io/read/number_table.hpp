@@ -94,8 +94,8 @@ struct TableForm {
   std::string_view row = "numbers";
 };
 
-/// A table of NumPy (NpyTable), of JSON, where it begins with a '[' (JsonTable), or of text
-/// (TextTable). Refers to the bytes.
+/// A table of NumPy (NpyTable), of JSON, where it begins with a '[' or is a frames/1 (JsonTable),
+/// or of text (TextTable). Refers to the bytes.
 std::unique_ptr<NumberTable> read_number_table(std::string_view bytes, const TableForm& reading);
 
 }  // namespace phrame

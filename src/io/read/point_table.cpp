@@ -178,14 +178,17 @@ class PointLayout {
     const auto unit = [&](std::size_t column) {
       return units[column].empty() ? "no unit" : units[column];
     };
+    const auto unit_text = [](const std::string& name) {
+      return name == "no unit" ? name : fmt::format("the unit \"{}\"", abbreviated(name));
+    };
     const std::size_t x = points_.columns[0].front();
     const auto require = [&](const Columns& group, const std::string& wanted) {
       for (const auto& column : group.columns)
         if (unit(column.front()) != wanted)
           throw InputError(
               table.header_place(),
-              fmt::format("the unit of {} is {}, but that of {} makes it {}",
-                          names_[column.front()], unit(column.front()), names_[x], wanted));
+              fmt::format("{} has {}, but by {} it is to have {}", names_[column.front()],
+                          unit_text(unit(column.front())), names_[x], unit_text(wanted)));
     };
     require(points_, unit(x));
     if (!derivatives_.columns.empty()) {

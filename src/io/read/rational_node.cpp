@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/io/read/bspline_node.hpp"
 #include "phrame/io/read/curve_node.hpp"
 #include "phrame/io/read/expression_node.hpp"
 
@@ -34,8 +35,7 @@ GivenSegment read_bezier_segment(const JsonNode& node, const JsonNode& list,
                                  const CurveLimits& limits) {
   refuse_keys_beside(node, "control_points", {"position"});
   read_bezier(node, list, limits);
-  RationalBezier bezier;
-  for (std::size_t k = 0; k < list.size(); ++k) bezier.points.push_back(read_point(list.item(k)));
+  RationalBezier bezier{read_points_of_any_dimension(list), {}};
   if (const auto weights = node.find("weights"))
     bezier.weights = weights_at(*weights, bezier.points.size());
   return bezier_segment(bezier, node.place());

@@ -67,7 +67,7 @@ JsonOutput json_of(const IdentificationAnswer::Near& near) {
   JsonOutput json = {{"epsilon", to_string(near.epsilon)}};
   if (const auto* none = std::get_if<NotNear>(&near.found)) {
     json["found"] = false;
-    json["distance"] = upper_bound_text(none->distance);
+    json["distance"] = upper_bound_text(none->distance.value());
     return json;
   }
   const auto& [curve, nearness] = std::get<NearCurve>(near.found);

@@ -15,8 +15,10 @@ std::string to_line(const Nearness& nearness) {
 }
 
 std::string to_line(const NotNear& none, const Rational& epsilon) {
-  return fmt::format("no PH curve was found within {}; the nearest one is {} away",
-                     distance_text(epsilon), upper_bound_text(none.distance, 3));
+  return fmt::format("no PH curve was found within {}; ", distance_text(epsilon)) +
+         (none.distance
+              ? fmt::format("the nearest one is {} away", upper_bound_text(*none.distance, 3))
+              : "those near its segments do not join smoothly");
 }
 
 std::string distance_text(const Rational& distance) {

@@ -146,11 +146,25 @@ void RmfAngle::Parts::join_bend() {
   }
 }
 
+namespace {
+
+/// The bend of that frame; none for the Euler–Rodrigues frame.
+std::optional<GaussianPolynomial> bend_to(Reference reference, const QuaternionPolynomial& a) {
+  switch (reference) {
+    case Reference::euler_rodrigues:
+      return std::nullopt;
+    case Reference::frenet:
+      return regular_bend(not_zero(a));
+    case Reference::up:
+      break;
+  }
+  throw DomainError("the angle to the frame of a vector v is RmfAngle(preimage, v)");
+}
+
+}  // namespace
+
 RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, Reference reference, Form form)
-    : RmfAngle(preimage,
-               reference == Reference::frenet ? std::optional(regular_bend(not_zero(preimage)))
-                                              : std::nullopt,
-               form) {}
+    : RmfAngle(preimage, bend_to(reference, preimage), form) {}
 
 RmfAngle::RmfAngle(const QuaternionPolynomial& preimage, const Vector<Rational>& v, Form form)
     : RmfAngle(preimage, std::optional(regular_bend(not_zero(preimage), v)), form) {}

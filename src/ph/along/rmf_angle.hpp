@@ -26,9 +26,8 @@ enum class Reference {
 /// move one is to copy it.
 class PHRAME_API RmfAngle {
  public:
-  /// The angle to the Euler–Rodrigues or the Frenet frame. Throws DomainError for A = 0, and for
-  /// the Frenet frame of a straight line. Precondition: the reference is not the frame of a vector,
-  /// for which there is the next constructor.
+  /// The angle to the Euler–Rodrigues or the Frenet frame. Throws DomainError for A = 0, for the
+  /// Frenet frame of a straight line, and for Reference::up: the next constructor takes v.
   explicit RmfAngle(const QuaternionPolynomial& preimage,
                     Reference reference = Reference::euler_rodrigues, Form form = Form::automatic);
   /// The angle to the frame of v, which is continued where v is along the tangent. Throws

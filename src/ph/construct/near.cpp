@@ -176,8 +176,28 @@ bool is_differentiable(const PreimageFit& before, const PreimageFit& after, std:
   return std::abs(difference) <= 8 * epsilon * static_cast<double>(points);
 }
 
-/// Turns the segment behind joint k to the one before it, and says what the joint is.
-void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& curves,
+/// |H|/(|A||B|) of the ends of A and B is the cosine of half the angle between their tangents.
+constexpr double most_turn = 0.1;
+
+/// Throws DomainError where the curves that are given have no one tangent between segments k and
+/// k + 1, up to that angle.
+void require_one_tangent(const std::vector<BezierPoints>& curves, std::size_t k) {
+  const Vector<Rational> last = bezier_derivatives(curves[k]).back();
+  const Vector<Rational> first = bezier_derivatives(curves[k + 1]).front();
+  const auto fail = [k](const char* what) {
+    throw DomainError(fmt::format("PH curve nearby: {} where segment {} begins", what, k + 2));
+  };
+  const Rational squares = dot(last, last) * dot(first, first);
+  if (squares == 0) fail("there is a cusp");
+  const Rational product = dot(last, first);
+  if (product <= 0 ||
+      static_cast<double>(Rational(product * product / squares)) < std::pow(std::cos(most_turn), 2))
+    fail("the tangent breaks");
+}
+
+/// Turns the segment behind joint k to the one before it, and says what the joint is: true, or
+/// false where they do not join though the curves that are given do.
+bool join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& curves,
           double epsilon) {
   const PreimageFit& before = spline.segments[k];
   PreimageFit& after = spline.segments[k + 1];
@@ -190,13 +210,10 @@ void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& cur
   const double size = std::hypot(product.re, product.im);
   const double sizes = std::sqrt(norm(end) * norm(after.preimage.front()));
   constexpr double tiny = 1e-8;
-  if (!(sizes > tiny))
-    throw DomainError(
-        fmt::format("PH curve nearby: there is a cusp where segment {} begins", k + 1));
-  constexpr double most_turn = 0.1;  // |H|/(|A||B|) is the cosine of half the angle
-  if (size < std::cos(most_turn / 2) * sizes)
-    throw DomainError(
-        fmt::format("PH curve nearby: the tangent breaks where segment {} begins", k + 1));
+  if (!(sizes > tiny) || size < std::cos(most_turn / 2) * sizes) {
+    require_one_tangent(curves, k);
+    return false;
+  }
   for (auto& a : after.preimage)
     a = turned(a, ComplexOf<double>{product.re / size, -product.im / size});
   const double ratio = is_differentiable(before, after, curves[k].size(), epsilon)
@@ -210,25 +227,27 @@ void join(SplineFit& spline, std::size_t k, const std::vector<BezierPoints>& cur
     spline.joints.push_back(end);
   else
     spline.joints.push_back(0.5 * (end + behind));
+  return true;
 }
 
-/// No value where a segment by itself is too far from any; `farthest` is the greatest distance of
-/// one, squared.
-std::optional<SplineFit> spline_fit(const std::vector<BezierPoints>& curves,
-                                    const Rational& epsilon, Rational& farthest) {
+/// What is not near where a segment by itself is too far from any, or those near them do not join.
+std::variant<SplineFit, NotNear> spline_fit(const std::vector<BezierPoints>& curves,
+                                            const Rational& epsilon) {
   SplineFit spline;
   spline.scale = scale_of(curves.front());
   for (const BezierPoints& points : curves) spline.scale = std::max(spline.scale, scale_of(points));
+  Rational farthest = 0;  // squared
   for (const BezierPoints& points : curves) {
     spline.segments.push_back(fit_of_points(points, spline.scale));
     const ExactFit fit = exact_fit(spline.segments.back(), spline.scale);
     farthest = std::max(farthest, squared_distance(fit, points.front(), points));
   }
   const Rational within = most_refined * epsilon;
-  if (!is_within(farthest, within)) return std::nullopt;
+  if (!is_within(farthest, within)) return NotNear{square_root_above(farthest)};
   const auto scaled_epsilon =
       static_cast<double>(Rational(epsilon * power_of_two(-2 * spline.scale)));
-  for (std::size_t k = 0; k + 1 < curves.size(); ++k) join(spline, k, curves, scaled_epsilon);
+  for (std::size_t k = 0; k + 1 < curves.size(); ++k)
+    if (!join(spline, k, curves, scaled_epsilon)) return NotNear{};
   spline.joints.push_back(spline.segments.back().preimage.back());
   return spline;
 }
@@ -321,10 +340,9 @@ std::variant<NearPath, NotNear> near_path(const std::vector<BezierPoints>& curve
                                           const Rational& epsilon) {
   require_positive(epsilon);
   for (const BezierPoints& points : curves) require_near_degree(points.size());
-  Rational farthest = 0;
-  const auto guess = spline_fit(curves, epsilon, farthest);
-  if (!guess) return NotNear{square_root_above(farthest)};
-  const SplineFit& spline = *guess;
+  const auto guess = spline_fit(curves, epsilon);
+  if (const auto* none = std::get_if<NotNear>(&guess)) return *none;
+  const auto& spline = std::get<SplineFit>(guess);
   std::vector<FitStep> steps;
   for (const PreimageFit& fit : spline.segments) steps.emplace_back(fit, FreePart::inner);
   const auto with_bits = [&](long bits, const std::optional<Rational>& within) {

@@ -44,9 +44,9 @@ struct NearPath {
 /// its joints the spline has exactly one position and one tangent, and also one derivative where
 /// the derivatives given agree within what ε allows. Each segment starts where the one before ends,
 /// and aims at the points given, so that distances do not add up. The spline of a closed path need
-/// not close exactly. Throws DomainError as near_curve() does, and where the tangent breaks or is
-/// undefined, at a cusp, at a joint. Tangents at joints are found in doubles, so that ε should be
-/// at least 1e-15 of the size.
+/// not close exactly. Throws DomainError as near_curve() does, and where the tangent of those
+/// curves breaks or is undefined, at a cusp, at a joint. Tangents at joints are found in doubles,
+/// so that ε should be at least 1e-15 of the size.
 PHRAME_API std::variant<NearPath, NotNear> near_path(
     const std::vector<std::vector<Vector<Rational>>>& curves, const Rational& epsilon);
 /// The same of a path of polynomial curves. Throws DomainError for others, too.

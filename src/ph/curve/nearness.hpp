@@ -23,7 +23,8 @@ struct Nearness {
 
 /// None was found that is near enough.
 struct NotNear {
-  Rational distance;  ///< of the nearest that was found
+  /// Of the nearest that was found; no value where those near the segments do not join smoothly.
+  std::optional<Rational> distance = {};
 };
 
 }  // namespace phrame

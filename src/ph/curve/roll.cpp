@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/sturm.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -35,12 +35,13 @@ bool Roll::is_zero() const {
 
 void Roll::require_along(std::size_t segments) const {
   if (!is_whole_ && pieces_.size() != segments)
-    throw DomainError(fmt::format("roll: {} values for {} joints, 0 to {}", pieces_.size() + 1,
-                                  segments + 1, segments));
+    throw DomainError(fmt::format("the roll has {} values for {} joints, 0 to {}",
+                                  pieces_.size() + 1, segments + 1, segments));
+  const Interval way = closed_interval(0, static_cast<long>(segments));
   for (const Piece& piece : pieces_)
     for (const RationalFunction* f : {&piece.half_turns, &piece.radians})
-      if (count_real_roots(f->denominator(), closed_interval(0, static_cast<long>(segments))) > 0)
-        throw DomainError("roll: it is not finite all along");
+      if (const auto poles = real_roots(f->denominator(), way); !poles.empty())
+        throw DomainError("the roll is not finite at " + place_text("t", poles.front().at));
 }
 
 Angle Roll::at(const PathParameter& at) const {

@@ -12,10 +12,11 @@ namespace phrame::inline v0 {
 namespace {
 
 [[noreturn]] void fail_of_tangent(const Path& path, std::size_t k, const std::string& reason) {
-  throw DomainError(fmt::format(
-      "{}: its unit tangent is {}",
-      path.segments().size() == 1 ? "the curve is not PH" : fmt::format("segment {} is not PH", k),
-      reason));
+  throw DomainError(fmt::format("{}: its unit tangent is {}",
+                                path.segments().size() == 1
+                                    ? "the curve is not PH"
+                                    : fmt::format("segment {} is not PH", k + 1),
+                                reason));
 }
 
 std::string why_irrational(const NotPythagorean& found) {

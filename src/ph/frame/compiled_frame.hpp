@@ -25,7 +25,8 @@ class PHRAME_API CompiledFrames {
   /// The same frame of segment k alone, on [k, k + 1].
   CompiledFrames(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   /// The Euler–Rodrigues frame, or that of Frenet continued through inflections, at t − origin, as
-  /// in compiled_rotation.
+  /// in compiled_rotation. Throws DomainError for Reference::up, and for the Frenet frame of a
+  /// straight line.
   CompiledFrames(const Curve& curve, Reference reference, double from, double to,
                  double origin = 0);
   /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "phrame/algebra/ball_series.hpp"
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -32,9 +33,7 @@ struct FrameEquation {
       : FrameEquation(curve, Polynomial{1},
                       [](const QuaternionPolynomial& a) { return twist_numerator(a); }) {}
 
-  FrameEquation(const Curve& curve, Reference reference)
-      : FrameEquation(reference == Reference::frenet ? of_frenet(curve)
-                                                     : FrameEquation(curve, Polynomial{1}, {})) {}
+  FrameEquation(const Curve& curve, Reference reference) : FrameEquation(of(curve, reference)) {}
 
  private:
   /// k of A, or 0.
@@ -49,6 +48,13 @@ struct FrameEquation {
                                       QuaternionPolynomial{u, -v, -p, -q};
     const Polynomial first = over_sigma * rate.v;
     rotation = {over_sigma * sigma, first - k, over_sigma * rate.p, over_sigma * rate.q, first + k};
+  }
+
+  static FrameEquation of(const Curve& curve, Reference reference) {
+    if (reference == Reference::up)
+      throw DomainError("compiled frames: that of a vector v is not among them");
+    return reference == Reference::frenet ? of_frenet(curve)
+                                          : FrameEquation(curve, Polynomial{1}, {});
   }
 
   static FrameEquation of_frenet(const Curve& curve) {

@@ -34,7 +34,8 @@ PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segmen
 /// Euler–Rodrigues frame and −arg g for Frenet's, g without its real factors, so that it goes on
 /// through inflections. With 2dφ′ = −k, where d = σ and k = 0, or d = σ|g|² and k = σ Im(g′ḡ),
 ///   dB′ = (d/σ)V·B − (k/2)·B·i.
-/// [from, to] is of t + origin. Throws DomainError for the Frenet frame of a straight line.
+/// [from, to] is of t + origin. Throws DomainError for the Frenet frame of a straight line and for
+/// the frame of a vector.
 PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
                                       double to, double origin, const DoubleShape& shape);
 

@@ -1,5 +1,6 @@
 #include "phrame/ph/frame/frame_start.hpp"
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -14,6 +15,8 @@ FrameAngle start_angle(const FrameStart& start, const Curve& first, Reference re
       least != nullptr ? least_rotation_normal(erf.e1) : std::get<StartNormal>(start).vector, erf);
   const FrameAngle turn = least != nullptr ? least->turn : Angle();
   if (reference == Reference::euler_rodrigues) return to_erf + turn;
+  if (reference == Reference::up && up == Vector<Rational>{})
+    throw DomainError("the up vector is 0");
   const GaussianRational z = direction_of(to_erf).value();
   const GaussianRational g = reference == Reference::up
                                  ? GaussianRational{dot(up, erf.e3), dot(up, erf.e2)}
@@ -22,6 +25,8 @@ FrameAngle start_angle(const FrameStart& start, const Curve& first, Reference re
 }
 
 FrameAngle start_angle(const FrameStart& start, const PhPath& path, Reference reference) {
+  if (reference == Reference::up)
+    throw DomainError("the angle to the frame of a vector v is that of PathAngle(path, v)");
   return start_angle(start, path.segments().front(), reference);
 }
 

@@ -38,12 +38,13 @@ using FrameStart = std::variant<LeastRotation, Angle, StartNormal>;
 /// before it is turned, is in (−π, π]. At a cusp the frames are those that are continued through
 /// it; where the curve starts with an inflection, the Frenet frame is that of small t > 0. `up` is
 /// v, where θ is measured from the frame of v. Throws DomainError for a vector that is 0 or along
-/// the tangent, and where θ is measured from the Frenet frame of a straight line. At another t it
-/// is likewise, unless θ is measured from the Frenet frame.
+/// the tangent, for such a v, and where θ is measured from the Frenet frame of a straight line. At
+/// another t it is likewise, unless θ is measured from the Frenet frame.
 PHRAME_API FrameAngle start_angle(const FrameStart& start, const Curve& first,
                                   Reference reference = Reference::euler_rodrigues,
                                   const Vector<Rational>& up = {}, const Rational& t = 0);
-/// The same for a path of PH curves.
+/// The same for a path of PH curves. Throws DomainError for Reference::up, too: there is
+/// start_angle(start, PathAngle(path, v)).
 PHRAME_API FrameAngle start_angle(const FrameStart& start, const PhPath& path,
                                   Reference reference = Reference::euler_rodrigues);
 

@@ -119,13 +119,13 @@ NearPipe near_pipe(const Path& path) {
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const RationalCurve* given = rational_curve(path.segments()[k]);
     if (given == nullptr || degree(*given) > 2)
-      throw DomainError(fmt::format("near_pipe: segment {} is neither a line nor an arc", k));
+      throw DomainError(fmt::format("near_pipe: segment {} is neither a line nor an arc", k + 1));
     const Vector<Rational> first = evaluate(given->direction(), 0);
     if (!end) end = PipeEnd{point(*given, 0), frame_along(first)};
     const Vector<Rational> axis = cross(first, evaluate(given->direction(), 1));
     const bool is_line = binormal(*given) == Vector<Polynomial>{};
     if (!is_line && axis == Vector<Rational>{})
-      throw DomainError(fmt::format("near_pipe: segment {} is half a turn or more", k));
+      throw DomainError(fmt::format("near_pipe: segment {} is half a turn or more", k + 1));
     const PipePiece piece = is_line ? line_from(*end, *given) : arc_from(*end, *given, axis);
     distance = std::max(distance, greatest_distance(*given, piece));
     segments.emplace_back(RationalCurve(piece.numerator, piece.weight));

@@ -41,7 +41,7 @@ std::string why_not(const NoRationalFrame& none, std::size_t segment, bool is_cu
   const bool is_multiple = none.reason == NoRationalFrame::Reason::multiple_pole;
   return fmt::format(
       "sweep: the rotation-minimizing frame{} is not rational: its rate 2h/sigma has {} {}",
-      is_curve ? "" : fmt::format(" of segment {}", segment),
+      is_curve ? "" : fmt::format(" of segment {}", segment + 1),
       is_multiple ? "multiple poles, the roots of" : "residues that are not in iZ, the roots of",
       abbreviated(factor.str(), 80));
 }

@@ -27,7 +27,8 @@ struct SweptPart {
 const RationalCurve& swept_curve(const Path& path, std::size_t segment) {
   const RationalCurve* curve = rational_curve(path.segments()[segment]);
   if (curve == nullptr)
-    throw DomainError(fmt::format("sweep: segment {} is of formulas, no rational curve", segment));
+    throw DomainError(
+        fmt::format("sweep: segment {} is of formulas, no rational curve", segment + 1));
   return *curve;
 }
 
@@ -256,9 +257,10 @@ void require_joined(const RationalSurface& surface) {
 void require_no_stop(const Path& path) {
   for (std::size_t k = 0; k < path.segments().size(); ++k)
     if (count_real_roots(swept_curve(path, k).multiplier(), closed_interval(0, 1)) > 0)
-      throw DomainError(path.segments().size() == 1
-                            ? "sweep: the curve has a cusp or stops on the way"
-                            : fmt::format("sweep: segment {} has a cusp or stops on the way", k));
+      throw DomainError(
+          path.segments().size() == 1
+              ? "sweep: the curve has a cusp or stops on the way"
+              : fmt::format("sweep: segment {} has a cusp or stops on the way", k + 1));
 }
 
 void append_part(RationalSurface& surface, const SweptPart& part,

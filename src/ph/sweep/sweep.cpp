@@ -61,6 +61,8 @@ class Tessellation {
  private:
   static int direction_of_motion(const SweepPath& path);
   double normal_error(const SweepPart& part, const SweepSection& a, const SweepSection& b) const;
+  /// Does the section at one of its ends fold over itself?
+  bool folds_at(const SweepPart& part) const;
   bool has_corner(std::size_t segment) const { return corners_.contains(segment % count()); }
   std::size_t count() const { return path_.series.segments; }
   bool is_between_mitres(std::size_t segment) const;
@@ -192,6 +194,13 @@ double Tessellation::normal_error(const SweepPart& part, const SweepSection& a,
        round_to_double(profile.error()) * sweep_slack, profile.reach(), is_against_});
 }
 
+bool Tessellation::folds_at(const SweepPart& part) const {
+  const auto folds = [&](double t) {
+    return least_advance(sections_, sections_.motion(part.segment, t)) <= 0;
+  };
+  return folds(part.from) || folds(part.to);
+}
+
 bool Tessellation::is_rounded_away(const SweepSection& a, const SweepSection& b) {
   const double least = 64 * std::max(a.rounding, b.rounding);
   for (std::size_t k = 0; k < a.points.size(); ++k) {
@@ -217,12 +226,13 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
     const double of_normals = form_.normal_tolerance ? normal_error(part, last, next) : 0;
     const bool is_within = !(of_normals > form_.normal_tolerance.value_or(0));
     const bool is_enough = error <= tolerance && is_within;
-    if (!is_enough && is_rounded_away(last, next))
+    const bool is_last = !is_enough && is_rounded_away(last, next);
+    if (is_last && (is_within || !folds_at(part)))
       fail_for_numbers(fmt::format("near t = {} the tolerance is too small beside the rounding of "
                                    "coordinates",
                                    part.start()),
                        form_.numbers);
-    if (!is_enough && part.step() > 0x1p-40) {
+    if (!is_enough && !is_last && part.step() > 0x1p-40) {
       const double middle = (part.from + part.to) / 2;
       left.back() = {part.segment, middle, part.to};
       left.push_back({part.segment, part.from, middle});

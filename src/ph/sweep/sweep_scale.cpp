@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/sturm.hpp"
 
@@ -33,17 +35,20 @@ bool SweepScale::is_constant() const {
 
 void SweepScale::require_along(std::size_t segments) const {
   if (!is_whole_ && pieces_.size() != segments)
-    throw DomainError(fmt::format("scale: {} values for {} joints, 0 to {}", pieces_.size() + 1,
-                                  segments + 1, segments));
+    throw DomainError(fmt::format("the scale has {} values for {} joints, 0 to {}",
+                                  pieces_.size() + 1, segments + 1, segments));
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const RationalFunction& f = pieces_[k];
     const Interval part = is_whole_
                               ? closed_interval(0, static_cast<long>(segments))
                               : closed_interval(static_cast<long>(k), static_cast<long>(k + 1));
-    const bool has_pole = count_real_roots(f.denominator(), part) > 0;
-    if (has_pole || f.numerator().is_zero() || count_real_roots(f.numerator(), part) > 0 ||
-        f(*part.lower) < 0)
-      throw DomainError("scale: it is not positive and finite all along");
+    if (f.numerator().is_zero()) throw DomainError("the scale is 0");
+    if (const auto poles = real_roots(f.denominator(), part); !poles.empty())
+      throw DomainError("the scale is not finite at " + place_text("t", poles.front().at));
+    if (f(*part.lower) < 0)
+      throw DomainError("the scale is negative at t = " + as_written(*part.lower));
+    if (const auto zeros = real_roots(f.numerator(), part); !zeros.empty())
+      throw DomainError("the scale is 0 at " + place_text("t", zeros.front().at));
   }
 }
 

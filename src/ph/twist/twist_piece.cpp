@@ -89,7 +89,7 @@ std::vector<TwistPiece> twist_pieces(const MinimalTwist& mtf, std::vector<Ration
   const std::size_t count = path.segments().size();
   for (std::size_t k = 0; k < count; ++k) {
     require_no_cusp(*ph_curve(path.segments()[k]),
-                    count == 1 ? std::string() : " in segment " + std::to_string(k));
+                    count == 1 ? std::string() : " in segment " + std::to_string(k + 1));
     points.emplace_back(static_cast<long>(k));
   }
   points.push_back(path.end());

@@ -218,6 +218,10 @@ TEST_CASE("what is wrong is refused at its place, in one line") {
             .starts_with(
                 "/segments/1: the tangent turns back: the spline ends in the direction (1, 0, 0)"));
   CHECK(refusal("hello") == "1:1: a curve file is JSON, this begins with \"hello\"");
+  CHECK(refusal("lat,lon\n1,2\n3,4\n") ==
+        "line 1: columns x, y and z, or x and y, are wanted; these are lat, lon");
+  CHECK(refusal("{\"phrame\": 1}\n{\"phrame\": 1}\n") ==
+        "2:1: a curve file is one JSON document; these are JSON lines, which phrame batch reads");
   CHECK(refusal("") == "1:1: not valid JSON: the input is empty");
   CHECK(refusal(object("curve/2", cubic)).starts_with("/phrame: the format is \"curve/1\", "));
 }

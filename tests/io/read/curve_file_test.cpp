@@ -378,7 +378,10 @@ TEST_CASE("curve files: bad control points are refused where they stand") {
   CHECK(refusal(points("[]")) == "/control_points: a curve has at least 2 control points, not 0");
   CHECK(refusal(points("[[0, 0, 0]]")) ==
         "/control_points: a curve has at least 2 control points, not 1");
-  CHECK(refusal(points("[[0, 0, 0], [1, 2]]")) == "/control_points/1: 3 numbers are wanted, not 2");
+  CHECK(refusal(points("[[0, 0, 0], [1, 2]]")) ==
+        "/control_points/1: 2 numbers here, but 3 in the first point");
+  CHECK(refusal(points("[[0], [1]]")) ==
+        "/control_points/0: a point has 2 or 3 coordinates, not 1");
   CHECK(refusal(points("[[0, 0, 0], [1, 2, \"x\"]]")).starts_with("/control_points/1/2: \"x\""));
   CHECK(refusal(points("[[1, 2, 3], [1, \"2\", 3.0], [1, 2, 3]]")) ==
         "/control_points: the control points are all equal, so the curve is a single point");

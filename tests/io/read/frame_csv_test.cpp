@@ -98,12 +98,13 @@ TEST_CASE("frame table: quaternions mean frames by a convention") {
 TEST_CASE("frame table: what is wrong is told with line and column") {
   CHECK(refusal("") == "line 1: a table of numbers is wanted, below the names of its columns");
   CHECK(refusal("t,f2x,f2y,f2z\n") == "line 2: there are no frames");
-  CHECK(refusal("f2x,f2y,f2z\n1,0,0") == "line 1: a column \"t\" is wanted");
+  CHECK(refusal("f2x,f2y,f2z\n1,0,0") ==
+        "line 1: a column \"t\" is wanted; these are f2x, f2y, f2z");
   for (const std::string name : {"T", "time", "Time", "TIME"})
     CHECK(refusal("x," + name + ",f2x,f2y,f2z\n1,0,1,0,0") ==
           "line 1: missing is the column t: \"" + name + "\" is another name");
   CHECK(refusal("t,x,y,z\n0,1,0,0") ==
-        "line 1: columns f2x, f2y, f2z or qw, qx, qy, qz are wanted");
+        "line 1: columns f2x, f2y, f2z or qw, qx, qy, qz are wanted; these are t, x, y, z");
   CHECK(refusal("t,f2x,f2y,f2z,qw,qx,qy,qz\n0,1,0,0,1,0,0,0\n") ==
         "line 1: columns of vectors (f2x) and of quaternions (qw) exclude each other");
   CHECK(refusal("t,f2x,f2y,f2z\n\n0,1,0\n") == "line 3: 3 numbers here, but 4 in the header");

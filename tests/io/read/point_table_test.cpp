@@ -48,11 +48,11 @@ TEST_CASE("point table: coordinates have one unit, which a note names") {
   CHECK(read_points("x,y,dx,dy,t\nmm,mm,mm/s,mm/s,s\n0,1,1,1,0\n1,2,1,1,1\n").notes ==
         Notes{"the coordinates are in mm"});
   CHECK(refusal("x [mm],y [m]\n0,1\n1,2\n") ==
-        "line 1: the unit of y is m, but that of x makes it mm");
+        "line 1: y has the unit \"m\", but by x it is to have the unit \"mm\"");
   CHECK(refusal("x [mm],y\n0,1\n1,2\n") ==
-        "line 1: the unit of y is no unit, but that of x makes it mm");
+        "line 1: y has no unit, but by x it is to have the unit \"mm\"");
   CHECK(refusal("x,y,dx,dy,t\nmm,mm,m/s,m/s,s\n0,1,1,1,0\n1,2,1,1,1\n") ==
-        "line 1: the unit of dx is m/s, but that of x makes it mm/s");
+        "line 1: dx has the unit \"m/s\", but by x it is to have the unit \"mm/s\"");
 }
 
 TEST_CASE("point table: rows without numbers are refused, or left out if that is asked for") {

@@ -51,7 +51,7 @@ class RandomSpline {
 NearPath check_found(const std::vector<BezierPoints>& curves, const Rational& epsilon) {
   auto found = near_path(curves, epsilon);
   if (const auto* none = std::get_if<NotNear>(&found)) {
-    CAPTURE(static_cast<double>(none->distance));
+    CAPTURE(static_cast<double>(none->distance.value_or(0)));
     REQUIRE_FALSE(none);
   }
   auto& near = std::get<NearPath>(found);
@@ -153,7 +153,7 @@ TEST_CASE("near_path: what is no spline near a PH one is refused") {
     spline.curves[1][2][1] += Rational(1, 10);
     const auto found = near_path(spline.curves, epsilon);
     REQUIRE(std::holds_alternative<NotNear>(found));
-    CHECK(std::get<NotNear>(found).distance > Rational(1, 1000));
+    CHECK(std::get<NotNear>(found).distance.value() > Rational(1, 1000));
   }
   SUBCASE("a gap") {
     for (auto& p : spline.curves[1]) p[0] += Rational(1, 10);

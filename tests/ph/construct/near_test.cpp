@@ -90,7 +90,7 @@ Rational squared_distance(const Points& a, const Points& b) {
 NearCurve check_found(const Points& points, const Rational& epsilon) {
   const auto found = near_points(points, epsilon);
   if (const auto* none = std::get_if<NotNear>(&found)) {
-    CAPTURE(static_cast<double>(none->distance));
+    CAPTURE(static_cast<double>(none->distance.value_or(0)));
     REQUIRE_FALSE(none);
   }
   const auto& near = std::get<NearCurve>(found);
@@ -298,7 +298,7 @@ TEST_CASE("near: what is no PH curve is refused with a distance") {
   const Points cubic{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 0}};
   const auto found = near_points(cubic, number("1e-3"));
   REQUIRE(std::holds_alternative<NotNear>(found));
-  const Rational distance = std::get<NotNear>(found).distance;
+  const Rational distance = std::get<NotNear>(found).distance.value();
   CHECK(distance > number("0.01"));
   CHECK(distance < 1);
   // It is refused below that distance, and not above it.

@@ -4,6 +4,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "support/curves.hpp"
 #include "support/paths.hpp"
@@ -199,6 +200,19 @@ TEST_CASE("frame start: what has no direction is refused, with the reason") {
         "the vector (-1/2, -1/2, -1/4) has no part in the normal plane: it is along the tangent");
   CHECK(message({2, 2, 1 + parse_rational("1e-1000")}).empty());
   CHECK(start_angle(Angle(Rational(1, 3), 7), path) == FrameAngle(Rational(1, 3), 7));
+}
+
+TEST_CASE("frame start: the frame of a vector is refused where there is no vector") {
+  CHECK(test::refusal_of<DomainError>([] { RmfAngle(test::quintic, Reference::up); }) ==
+        "the angle to the frame of a vector v is RmfAngle(preimage, v)");
+  CHECK(test::refusal_of<DomainError>([] { CompiledFrames(test::quintic, Reference::up, 0, 1); }) ==
+        "compiled frames: that of a vector v is not among them");
+  CHECK(test::refusal_of<DomainError>([] {
+          start_angle(LeastRotation(), PhPath(test::quintic), Reference::up);
+        }) == "the angle to the frame of a vector v is that of PathAngle(path, v)");
+  CHECK(test::refusal_of<DomainError>([] {
+          start_angle(LeastRotation(), test::quintic, Reference::up);
+        }) == "the up vector is 0");
 }
 
 // A = 1 + ti has θ = −2 arctan t: θ(1/2) = −arctan(4/3), θ(1) = −π/2.
