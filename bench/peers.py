@@ -1,4 +1,5 @@
-"""phrame beside the integrators of SymPy, Maxima, FriCAS and Giac and the quadrature of PARI/GP, on the curves of curves.cpp.
+"""phrame beside the integrators of SymPy, Maxima, FriCAS and Giac and the quadratures of PARI/GP, python-flint and SciPy, on the
+curves of curves.cpp.
 
 `./dev bench --peers` runs it with the program that it has built. It prints two tables: the CPU time to a closed form of the
 Euler-Rodrigues angle, the antiderivative of -2h/sigma, and that to its value at 1, with the digits that are those of phrame.
@@ -77,9 +78,22 @@ class System:
         return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True).stdout
 
 
-class SymPy(System):
-    """By the system's Python, whose package it may be, or the one that runs this; with an empty cache before each repetition."""
-    name = "SymPy"
+class OfPython(System):
+    """A package of the system's Python, or of the one that runs this."""
+
+    def version(self):
+        for python in filter(None, (shutil.which("python3", path=os.defpath), sys.executable)):
+            self.command = [python, "-"]
+            asked = f"print(__import__('{self.package}').__version__)"
+            result = subprocess.run(self.command, input=asked, capture_output=True, text=True)
+            if result.returncode == 0:
+                return result.stdout
+        return None
+
+
+class SymPy(OfPython):
+    """With an empty cache before each repetition."""
+    name, package = "SymPy", "sympy"
     closed = "F = ratint(f, t)", "print('' if F.has(Integral) else '@closed')"
     value = "F = ratint(f, t); G = (F.subs(t, 1) - F.subs(t, 0)).evalf(50)", "print('@value', *G.as_real_imag())"
     quadrature = "G = Integral(f, (t, 0, 1)).evalf(50)", "print('@value', *G.as_real_imag())"
@@ -100,14 +114,6 @@ for _ in range(%(count)d):
 print("@time", spent / %(count)d)
 %(report)s
 """
-
-    def version(self):
-        for python in filter(None, (shutil.which("python3", path=os.defpath), sys.executable)):
-            self.command = [python, "-"]
-            result = subprocess.run(self.command, input="print(__import__('sympy').__version__)", capture_output=True, text=True)
-            if result.returncode == 0:
-                return result.stdout
-        return None
 
 
 class ComplexSymPy(SymPy):
@@ -200,8 +206,41 @@ print("@time ", gettime()/1000./%(count)d);
 """
 
 
+class OfPolynomials(OfPython):
+    """A quadrature of n/d, whose coefficients the script has, ascending; the value is that of it, and not marked."""
+    script = """
+import re
+import time
+%(imports)s
+parts = ([(int(k), int(c)) for c, k in re.findall(r"\\((-?\\d+)\\)\\*t\\^(\\d+)", part)] for part in "%%(f)s".split(")/("))
+n, d = ([dict(part).get(k, 0) for k in range(part[-1][0] + 1)] for part in parts)
+%(setup)s
+start = time.process_time()
+for _ in range(%%(count)d):
+    %%(work)s
+print("@time", (time.process_time() - start) / %%(count)d)
+%%(report)s
+"""
+
+
+class PythonFlint(OfPolynomials):
+    """Arb's quadrature by balls, which proves what it finds."""
+    name, package = "python-flint", "flint"
+    value = "G = acb.integral(lambda t, _: n(t) / d(t), 0, 1).real", "print('@value', G.str(50, radius=False))"
+    script = OfPolynomials.script % {"imports": "from flint import acb, ctx, fmpz_poly",
+                                     "setup": "ctx.dps, n, d = 57, fmpz_poly(n), fmpz_poly(d)"}
+
+
+class SciPy(OfPolynomials):
+    """In doubles, to the least error that it takes."""
+    name, package = "SciPy", "scipy"
+    value = "G = quad(lambda t: polyval(t, n) / polyval(t, d), 0, 1, epsabs=0, epsrel=1e-13)[0]", "print('@value', repr(float(G)))"
+    script = OfPolynomials.script % {"imports": "from numpy.polynomial.polynomial import polyval\nfrom scipy.integrate import quad",
+                                     "setup": "quad(lambda t: t, 0, 1)"}
+
+
 SYSTEMS = {"sympy": SymPy, "sympy-complex": ComplexSymPy, "maxima": Maxima, "fricas": FriCAS, "fricas-sum": SummingFriCAS,
-           "giac": Giac, "pari": PARI}
+           "giac": Giac, "pari": PARI, "python-flint": PythonFlint, "scipy": SciPy}
 
 
 class Failed(Exception):
@@ -390,8 +429,8 @@ That of phrame is of the whole program, of which {duration(start)} are its start
             print(f"| {' | '.join(row)} |")
     print(f"""
 Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F,
-which is found anew; † is a quadrature by the system, where F has not been found or has no value; PARI's is always one. In
-Maxima rootsof is defined by bfallroots.""")
+which is found anew; † is a quadrature by the system, where F has not been found or has no value; the values of PARI, python-flint
+and SciPy are always one. In Maxima rootsof is defined by bfallroots.""")
 
 
 if __name__ == "__main__":

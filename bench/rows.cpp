@@ -22,10 +22,11 @@ std::vector<Rational> shares_of(const Rational& end) {
 /// All rows, those that doubles are not enough for exactly; f(row) is called for each.
 template <class F>
 void for_rows(FrameRows& rows, const F& f) {
-  std::vector<double> row;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!rows.near(k, row)) row = rows.exact(k).values;
-    f(row);
+  std::vector<std::vector<double>> made(FrameRows::block);
+  for (std::size_t first = 0; first < rows.size(); first += made.size()) {
+    const auto block = std::span(made).first(std::min(made.size(), rows.size() - first));
+    for (const std::size_t k : rows.near(first, block)) block[k - first] = rows.exact(k).values;
+    for (const std::vector<double>& row : block) f(row);
   }
 }
 

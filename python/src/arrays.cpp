@@ -84,7 +84,9 @@ Numbers numbers_of(const PathObject& self, const At& at, const ArrayQuery& asked
     if (is_to_up && asked.kind)
       angle.emplace(angle_to_up(path, asked.up));
     else if (has_start)
-      angle.emplace(without_gil([path] { return PathAngle(path); }));
+      angle.emplace(path.segments().size() == 1 && path.is_ph()
+                        ? PathAngle(path)  // sooner than another thread is woken
+                        : without_gil([path] { return PathAngle(path); }));
     return std::make_shared<FrameSource>(parametrization(self.named, asked.by), asked.kind, angle,
                                          has_start ? start_angle(from, *angle) : StartAngle());
   });

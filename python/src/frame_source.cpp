@@ -22,7 +22,7 @@ std::pair<std::size_t, double> place_at(double t, std::size_t segments) {
 
 namespace {
 
-std::optional<RoundedPoint> rounded_point(const Segment& segment) {
+std::optional<RoundedPoint> rounded_point_of(const Segment& segment) {
   const auto of = [](const Vector<Polynomial>& r) {
     return RoundedPoint{RoundedPolynomial(r[0]), RoundedPolynomial(r[1]), RoundedPolynomial(r[2])};
   };
@@ -45,6 +45,13 @@ FrameSource::FrameSource(Parametrization along, FrameKind kind, std::optional<Pa
   start_.value = cached(start_.value);
 }
 
+const std::optional<RoundedPoint>& FrameSource::rounded_point(std::size_t segment) const {
+  const Piece& piece = pieces_[segment];
+  std::call_once(piece.has_rounded,
+                 [&] { piece.rounded = rounded_point_of(path().segments()[segment]); });
+  return piece.rounded;
+}
+
 bool FrameSource::are_by_preimage() const {
   return is_of_ph_ && (kind_ == TabulatedFrame::rmf || kind_ == TabulatedFrame::euler_rodrigues);
 }
@@ -62,7 +69,6 @@ void FrameSource::make() {
   pieces_.clear();
   for (const Segment& segment : path().segments()) {
     Piece& piece = pieces_.emplace_back();
-    piece.rounded = rounded_point(segment);
     if (!is_of_ph_) continue;
     piece.preimage = std::get<PhSegment>(segment).primitive_preimage();
     if (kind_ == TabulatedFrame::frenet) {
@@ -80,8 +86,8 @@ void FrameSource::make() {
 void FrameSource::make_zeros() {
   bool is_erf = kind_ == TabulatedFrame::euler_rodrigues || start_.exact == FrameAngle();
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
-    is_erf = is_erf &&
-             (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->rate().is_zero());
+    is_erf =
+        is_erf && (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->is_zero());
     const auto& [u, v, p, q] = pieces_[k].preimage;
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
@@ -149,13 +155,27 @@ const CompiledFrames* FrameSource::compiled_at(double t, const Piece& piece) con
   return compiled != nullptr && compiled->from() <= t && t <= compiled->to() ? compiled : nullptr;
 }
 
-bool FrameSource::is_prepared(const Parameters& at) const {
-  if (!is_made_ || !at.are_doubles() || along_.kind() != ParameterKind::t) return false;
-  constexpr std::size_t few = 4;
+/// Where that is soon done, and nobody else is at it.
+void FrameSource::make_few() {
+  constexpr long low_degree = 10;
+  const std::unique_lock guard(lock_, std::try_to_lock);
+  if (!guard || is_made_ || path().segments().size() > 1 ||
+      preimage_degree(*ph_curve(path().segments().front())) > low_degree)
+    return;
+  make();
+  is_made_ = true;
+}
+
+bool FrameSource::is_prepared(const Parameters& at) {
+  if (!at.are_doubles() || along_.kind() != ParameterKind::t) return false;
+  constexpr std::size_t few = 16;
   const bool are_few = at.size() <= few && are_by_preimage();
+  if (are_few && !is_made_) make_few();
+  if (!is_made_) return false;
   const auto is_ready = [&](double t) {
-    const Piece& piece = pieces_[place_at(t, pieces_.size()).first];
-    if (!kind_) return piece.rounded.has_value();
+    const std::size_t segment = place_at(t, pieces_.size()).first;
+    if (!kind_) return rounded_point(segment).has_value();
+    const Piece& piece = pieces_[segment];
     if (compiled_at(t, piece) != nullptr) return true;
     return are_few && (piece.is_undecided || ++piece.asked < least_of_frames);
   };
@@ -183,8 +203,9 @@ Frame<double> FrameSource::frame(const Parameters& at, std::size_t k) const {
     if (const auto found = approximated_frame(*t)) return *found;
   const auto found_anew = [&]() -> Frame<double> {
     const Place here = place(at, k);
-    if (const auto b = ball_at(here))
-      if (const auto found = rounded_frame(*b)) return *found;
+    for (const long bits : {few_rotation_bits, rotation_bits})
+      if (const auto b = ball_at(here, bits))
+        if (const auto found = rounded_frame(*b)) return *found;
     const Frame<Real> exact = exact_frame(here);
     return {round_to_double(exact.e1), round_to_double(exact.e2), round_to_double(exact.e3)};
   };
@@ -222,10 +243,10 @@ Frame<Real> FrameSource::exact_frame(const Place& at) const {
   return up_frame(path(), angle_->up(), at);
 }
 
-std::optional<Quaternion<RealBall>> FrameSource::ball_at(const Place& at) const {
+std::optional<Quaternion<RealBall>> FrameSource::ball_at(const Place& at, long bits) const {
   if (!are_by_preimage() || !at.t.exact()) return std::nullopt;
   const RealBall theta =
-      kind_ == TabulatedFrame::rmf ? angle_->enclose(at, start_, rotation_bits) : RealBall();
+      kind_ == TabulatedFrame::rmf ? angle_->enclose(at, start_, bits) : RealBall();
   const Piece& piece = pieces_[at.segment];
   return rotation_ball(piece.preimage, *at.t.exact(), theta, piece.sign);
 }
@@ -301,7 +322,7 @@ std::array<double, 4> FrameSource::quaternion(const Parameters& at, std::size_t 
 Vector<double> FrameSource::point(const Parameters& at, std::size_t k) const {
   if (const auto near = near_parameter(at, k)) {
     const auto [segment, t] = place_at(*near, pieces_.size());
-    if (const auto& rounded = pieces_[segment].rounded) {
+    if (const auto& rounded = rounded_point(segment)) {
       const auto& [x, y, z] = *rounded;
       return finite(Vector<double>{x(t), y(t), z(t)});
     }

@@ -75,9 +75,9 @@ class FrameSource {
 
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
-  /// Has prepare() nothing left to do, and is hardly a frame computed exactly? A few frames of a
-  /// spline are as soon done by balls as another thread is woken; they are counted for prepare().
-  bool is_prepared(const Parameters& at) const;
+  /// Has prepare() nothing left to do, and is hardly a frame computed exactly? A few frames are as
+  /// soon done by balls as another thread is woken; they are counted for prepare().
+  bool is_prepared(const Parameters& at);
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
   /// Those from number `begin` on, as many as there is room for: many at once where they are
@@ -97,8 +97,11 @@ class FrameSource {
   Place place(const Parameters& at, std::size_t k) const;
   /// The parameter as that of compiled pieces.
   std::optional<double> near_parameter(const Parameters& at, std::size_t k) const;
+  /// A point of a segment that is made, where it is polynomial.
+  const std::optional<RoundedPoint>& rounded_point(std::size_t segment) const;
   void make();
   void make_zeros();
+  void make_few();
   void compile(std::size_t k, double from, double to);
   void prepare_curve(const std::vector<double>& ts);
   const CompiledFrames* compiled_at(double t, const Piece& piece) const;
@@ -108,8 +111,8 @@ class FrameSource {
   /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of other frames
   /// up to its sign.
   std::array<Real, 4> rotation(const Place& at) const;
-  /// The same by balls; no value of other frames.
-  std::optional<Quaternion<RealBall>> ball_at(const Place& at) const;
+  /// The same by balls, of so many bits; no value of other frames.
+  std::optional<Quaternion<RealBall>> ball_at(const Place& at, long bits = rotation_bits) const;
 
   Parametrization along_;
   FrameKind kind_;
@@ -130,7 +133,8 @@ using FrameSources = LastFew<FrameQuery, std::shared_ptr<FrameSource>>;
 
 /// A segment.
 struct FrameSource::Piece {
-  std::optional<RoundedPoint> rounded;  ///< where it is polynomial
+  mutable std::once_flag has_rounded;  ///< which frames do not need
+  mutable std::optional<RoundedPoint> rounded;
   // Of PH curves:
   QuaternionPolynomial preimage;              ///< without real factors
   int sign = 1;                               ///< of the preimage, for a continuous B

@@ -102,11 +102,7 @@ template std::array<DoubleDouble, 4> evaluate_compensated<4>(const double*, cons
 template <std::size_t width>
 std::array<double, width> evaluate_slope(const double* coefficients, const DoubleShape& shape,
                                          double y) {
-  const double* a = coefficients;
-  std::array<double, width> s{};
-  for (long k = shape.degree; k > 0; a += k < shape.paired ? 2 * width : width, --k)
-    for (std::size_t i = 0; i < width; ++i) s[i] = s[i] * y + static_cast<double>(k) * a[i];
-  return s;
+  return slope_values<width>(coefficients, shape, std::array{y});
 }
 template std::array<double, 1> evaluate_slope<1>(const double*, const DoubleShape&, double);
 template std::array<double, 4> evaluate_slope<4>(const double*, const DoubleShape&, double);

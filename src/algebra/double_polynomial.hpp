@@ -80,6 +80,17 @@ template <std::size_t width, class T, std::size_t count>
 template <std::size_t width>
 std::array<double, width> evaluate_slope(const double* coefficients, const DoubleShape& shape,
                                          double y);
+/// The same in T, double or Wide<n>, for several y, as compensated_values().
+template <std::size_t width, class T, std::size_t count>
+[[gnu::always_inline]] inline std::array<T, width * count> slope_values(
+    const double* coefficients, const DoubleShape& shape, const std::array<T, count>& y) {
+  const double* a = coefficients;
+  std::array<T, width * count> s{};
+  for (long k = shape.degree; k > 0; a += k < shape.paired ? 2 * width : width, --k)
+    for (std::size_t i = 0; i < width * count; ++i)
+      s[i] = s[i] * y[i / width] + static_cast<double>(k) * a[i % width];
+  return s;
+}
 inline constexpr double slope_error = 0x1p-45;
 /// Σ k²|coefficient of yᵏ| of all of them, not rounded down: a bound of first and second
 /// derivatives on |y| ≤ 1.

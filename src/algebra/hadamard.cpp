@@ -10,17 +10,31 @@
 #include "phrame/algebra/hadamard.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace phrame::inline v0 {
 namespace {
 
 using flint::Mag;
 
-/// An upper bound of ‖f(2ˢt)‖₂.
+/// An upper bound of ‖f(2ˢt)‖₂; in doubles, where they reach far enough.
 Mag norm(const flint::FmpzPoly& f, long s) {
+  constexpr long most_bits = 400;
+  const slong length = fmpz_poly_length(f.get());
+  if (std::abs(fmpz_poly_max_bits(f.get())) + std::abs(s) * length <= most_bits) {
+    double squares = 0;
+    double power = 1;
+    for (slong k = 0; k < length; ++k, power *= std::ldexp(1.0, static_cast<int>(s))) {
+      const double term = power * fmpz_get_d(fmpz_poly_get_coeff_ptr(f.get(), k));
+      squares += term * term;
+    }
+    Mag bound;
+    mag_set_d(bound.get(), std::sqrt(squares) * (1 + 0x1p-30));  // more than what was rounded
+    return bound;
+  }
   Mag sum;
   Mag term;
-  for (slong k = 0; k < fmpz_poly_length(f.get()); ++k) {
+  for (slong k = 0; k < length; ++k) {
     mag_set_fmpz(term.get(), fmpz_poly_get_coeff_ptr(f.get(), k));
     mag_mul_2exp_si(term.get(), term.get(), s * k);
     mag_addmul(sum.get(), term.get(), term.get());

@@ -148,4 +148,41 @@ std::optional<std::vector<NearPole>> near_poles(const Polynomial& n, const Polyn
   return rounding_to_nearest([&] { return found(n, d); });
 }
 
+namespace {
+
+/// Doubles that the numbers of a ball are between.
+struct DoubleBounds {
+  double least;
+  double most;
+
+  explicit DoubleBounds(const RealBall& x) {
+    const double middle = approximate(x);
+    const double radius =
+        mag_get_d(arb_radref(x.raw())) * near::up + std::abs(middle) * 0x1p-51 + 0x1p-1070;
+    least = middle - radius;
+    most = middle + radius;
+  }
+  bool overlaps(const DoubleBounds& other) const {
+    return !(most < other.least) && !(other.most < least);
+  }
+};
+
+}  // namespace
+
+// Two residues are distinct where their real parts are, or the sizes of their imaginary parts; and
+// one is from its conjugate where that is not 0.
+bool have_distinct_residues(const std::vector<NearPole>& poles) {
+  std::vector<std::pair<DoubleBounds, DoubleBounds>> residues;
+  for (const auto& [place, residue] : poles) {
+    if (residue.im().contains_zero()) return false;
+    if (poles.size() == 1) return true;
+    const DoubleBounds re(residue.re());
+    const DoubleBounds im(absolute(residue.im()));
+    for (const auto& [other_re, other_im] : residues)
+      if (re.overlaps(other_re) && im.overlaps(other_im)) return false;
+    residues.emplace_back(re, im);
+  }
+  return true;
+}
+
 }  // namespace phrame

@@ -18,4 +18,7 @@ struct NearPole {
 /// value where doubles do not prove that. Cost: a fifth of that of roots to 80 bits by balls.
 std::optional<std::vector<NearPole>> near_poles(const Polynomial& n, const Polynomial& d);
 
+/// Are all residues, those at the conjugates of the poles too, seen to be distinct, in doubles?
+bool have_distinct_residues(const std::vector<NearPole>& poles);
+
 }  // namespace phrame

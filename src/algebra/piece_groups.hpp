@@ -27,6 +27,15 @@ struct PieceGroup {
     }
     for (T& each : y) each = (each - piece.center) * piece.scale;
   }
+  /// What belongs to the same t, of numbers that belong to all.
+  template <class T, std::size_t count>
+  [[gnu::always_inline]] void load_others(std::size_t k, const std::vector<double>& all,
+                                          std::array<T, count>& of_these) const {
+    constexpr std::size_t n = count * lanes<T>;
+    double found[n];
+    for (std::size_t i = 0; i < n; ++i) found[i] = all[at[std::min(k + i, at.size() - 1)]];
+    std::memcpy(of_these.data(), found, sizeof(of_these));
+  }
 };
 
 /// Calls visit with all of t, in groups of some thousands at most. Neighbours stay together, so

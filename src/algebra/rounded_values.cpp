@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/piece_groups.hpp"
-
 namespace phrame::inline v0 {
 namespace {
 
-/// The values of a group.
+/// The values of a group; of t it says what near_values() wants.
+template <class Numbers>
 struct GroupValues {
   const PieceGroup& group;
   const DoubleShape& shape;
+  const Numbers& t;
   std::span<double> values;
   std::vector<std::size_t>& untold;
 
@@ -21,15 +21,12 @@ struct GroupValues {
   [[gnu::always_inline]] void run() const {
     constexpr std::size_t n = count * lanes<T>;
     for (std::size_t k = 0; k < group.t.size(); k += n) {
-      std::array<T, count> y;
-      group.load(k, y);
-      const auto found = compensated_values<1>(group.piece.coefficients.data(), shape, y);
+      const auto found = near_values<1, T, count>(group, shape, t, k);
       double least[n];
       double most[n];
-      auto are_told = y[0] == y[0];
+      auto are_told = T{} == T{};
       for (std::size_t i = 0; i < count; ++i) {
-        const T error = group.piece.error + group.piece.error_per_y * (y[i] < 0.0 ? -y[i] : y[i]);
-        const RoundedBounds<T> bounds = rounded_bounds(found[i], error);
+        const RoundedBounds<T> bounds = rounded_bounds(found.values[i], found.errors[i]);
         std::memcpy(least + i * lanes<T>, &bounds.least, sizeof(T));
         std::memcpy(most + i * lanes<T>, &bounds.most, sizeof(T));
         are_told &= bounds.least == bounds.most;
@@ -52,17 +49,31 @@ struct GroupValues {
   }
 };
 
+/// In groups by these doubles.
+template <class Numbers>
+std::vector<std::size_t> found_values(const PiecewisePolynomial& polynomials,
+                                      std::span<const double> at, const Numbers& t,
+                                      std::span<double> values, std::size_t at_once) {
+  std::vector<std::size_t> untold;
+  for_each_group(polynomials, at, [&](const PieceGroup& group) {
+    run_wide(at_once, GroupValues<Numbers>{group, polynomials.shape(), t, values, untold});
+  });
+  std::sort(untold.begin(), untold.end());
+  return untold;
+}
+
 }  // namespace
 
 std::vector<std::size_t> rounded_values(const PiecewisePolynomial& polynomials,
                                         std::span<const double> t, std::span<double> values,
                                         std::size_t at_once) {
-  std::vector<std::size_t> untold;
-  for_each_group(polynomials, t, [&](const PieceGroup& group) {
-    run_wide(at_once, GroupValues{group, polynomials.shape(), values, untold});
-  });
-  std::sort(untold.begin(), untold.end());
-  return untold;
+  return found_values(polynomials, t, OnlyDoubles(), values, at_once);
+}
+
+std::vector<std::size_t> rounded_values(const PiecewisePolynomial& polynomials,
+                                        const NearNumbers& t, std::span<double> values,
+                                        std::size_t at_once) {
+  return found_values(polynomials, t.high, t, values, at_once);
 }
 
 }  // namespace phrame

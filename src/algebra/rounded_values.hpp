@@ -1,8 +1,7 @@
 #pragma once
 #include <span>
 
-#include "phrame/algebra/piecewise_polynomial.hpp"
-#include "phrame/algebra/wide.hpp"
+#include "phrame/algebra/near_numbers.hpp"
 
 namespace phrame::inline v0 {
 
@@ -13,6 +12,10 @@ namespace phrame::inline v0 {
 /// nearest.
 std::vector<std::size_t> rounded_values(const PiecewisePolynomial& polynomials,
                                         std::span<const double> t, std::span<double> values,
+                                        std::size_t at_once = widest());
+/// The same at t that need not be doubles, whose high parts are from() … to().
+std::vector<std::size_t> rounded_values(const PiecewisePolynomial& polynomials,
+                                        const NearNumbers& t, std::span<double> values,
                                         std::size_t at_once = widest());
 
 }  // namespace phrame

@@ -339,8 +339,13 @@ std::size_t FrameRows::size() const { return state_->places().size(); }
 
 const std::string& FrameRows::reason() const { return state_->reason(); }
 
-bool FrameRows::near(std::size_t k, std::vector<double>& row) const {
-  return state_->near().at(k, row);
+std::vector<std::size_t> FrameRows::near(std::size_t first,
+                                         std::span<std::vector<double>> rows) const {
+  return state_->near().make(first, rows);
+}
+
+std::vector<std::size_t> FrameRows::not_near(std::size_t first, std::size_t count) const {
+  return state_->near().untold(first, count);
 }
 
 TableRow FrameRows::exact(std::size_t k) {

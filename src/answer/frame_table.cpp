@@ -94,18 +94,18 @@ void add_column(FrameTable& table, const std::string& name, const std::vector<Re
 FrameTable frame_table(FrameRows& rows) {
   FrameTable table = rows.empty_table();
   Stage stage("rows", rows.size());
-  std::vector<double> near;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    stage.advance();
-    if (rows.near(k, near)) {
-      table.rows.push_back(near);
-      continue;
+  table.rows.resize(rows.size());
+  std::size_t done = 0;
+  for (std::size_t first = 0; first < rows.size(); first += FrameRows::block) {
+    const std::size_t count = std::min(FrameRows::block, rows.size() - first);
+    for (const std::size_t k : rows.near(first, std::span(table.rows).subspan(first, count))) {
+      for (; done <= k; ++done) stage.advance();
+      TableRow row = rows.exact(k);
+      if (row.digits > 0) table.decimals.push_back(std::move(row.decimals));
+      table.rows[k] = std::move(row.values);
+      if (rows.reason().empty()) continue;
+      if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
     }
-    TableRow row = rows.exact(k);
-    if (row.digits > 0) table.decimals.push_back(std::move(row.decimals));
-    table.rows.push_back(std::move(row.values));
-    if (rows.reason().empty()) continue;
-    if (++table.incomplete_rows == 1) table.first_reason = rows.reason();
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include "phrame/answer/near_rows.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
@@ -119,16 +120,14 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
   if (places.is_by_length() || has_length)
     length_ = where_compiled([&] { return CompiledLength(path); });
   if (places.is_by_length() && !length_) return;
-  const auto [from, to] =
-      goes_on(path) && !places.is_by_length() ? bounds_of(places) : std::pair(0.0, 1.0);
+  to_ = static_cast<double>(path.segments().size());
   if (goes_on(path) && start.exact && angle.reference() == Reference::euler_rodrigues) {
-    if (!(from < to)) return;
+    if (!places.is_by_length()) std::tie(from_, to_) = bounds_of(places);
+    if (!(from_ < to_)) return;
     const Curve& curve = *ph_curve(path.segments().front());
-    points_ =
-        where_compiled([&, least = from, most = to] { return CompiledPoints(curve, least, most); });
-    frames_ = where_compiled([&, least = from, most = to] {
-      return CompiledFrames(curve, *angle.closed_form(0), least, most, *start.exact);
-    });
+    points_ = where_compiled([&] { return CompiledPoints(curve, from_, to_); });
+    frames_ = where_compiled(
+        [&] { return CompiledFrames(curve, *angle.closed_form(0), from_, to_, *start.exact); });
   } else {
     points_ = where_compiled([&] { return CompiledPoints(path); });
     frames_ = where_compiled([&] { return CompiledFrames(angle, start); });
@@ -152,28 +151,74 @@ std::optional<Frame<double>> NearRows::frame(const NearNumber& t) const {
   return frames_ ? frames_->rounded(t) : std::nullopt;
 }
 
-bool NearRows::at(std::size_t k, std::vector<double>& row) const {
-  return rounding_to_nearest([&] { return has_made(k, row); });
+/// The numbers of some rows, column by column.
+struct NearRows::Columns {
+  std::vector<double> t;
+  Vector<std::vector<double>> r;
+  std::vector<Frame<double>> rmf;
+  std::vector<double> s;      ///< where there is a column of it
+  std::vector<bool> is_told;  ///< of each row
+
+  Columns(std::size_t count, bool may_be_told)
+      : t(count), rmf(count), is_told(count, may_be_told) {}
+  void leave_out(const std::vector<std::size_t>& untold) {
+    for (const std::size_t k : untold) is_told[k] = false;
+  }
+  void set(std::vector<double>& column, std::size_t k, const std::optional<double>& x) {
+    if (x)
+      column[k] = *x;
+    else
+      is_told[k] = false;
+  }
+};
+
+NearRows::Columns NearRows::made(std::size_t first, std::size_t count) const {
+  Columns columns(count, has_rows_);
+  if (!has_rows_) return columns;
+  const RoundingToNearest mode;
+  NearNumbers near(count, from_);
+  if (!columns_.scalars.empty()) columns.s.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto number = places_.number(first + k);
+    if (number && places_.is_by_length() && !columns.s.empty())
+      columns.set(columns.s, k, common_double(*number));
+    const auto t = number && places_.is_by_length() ? length_->parameter(*number) : number;
+    const bool is_inside = t && from_ <= t->value.high && t->value.high <= to_;
+    columns.set(columns.t, k, is_inside ? common_double(*t) : std::nullopt);
+    if (is_inside) near.set(k, *t);
+  }
+  columns.leave_out(points_->rounded(near, columns.r));
+  columns.leave_out(frames_->rounded(near, columns.rmf));
+  if (!columns.s.empty() && !places_.is_by_length())
+    columns.leave_out(length_->rounded(near, columns.s));
+  return columns;
 }
 
-bool NearRows::has_made(std::size_t k, std::vector<double>& row) const {
-  row.clear();
-  const auto t = has_rows_ ? parameter(k) : std::nullopt;
-  const auto shown = t ? common_double(*t) : std::nullopt;
-  const auto r = shown ? position(*t) : std::nullopt;
-  const auto rmf = r ? frame(*t) : std::nullopt;
-  if (!rmf) return false;
-  row.push_back(*shown);
-  row.insert(row.end(), r->begin(), r->end());
-  row.insert(row.end(), rmf->e1.begin(), rmf->e1.end());
-  for (std::size_t n = 0; n < columns_.frames.size(); ++n) orientations_.add(row, *rmf);
-  for (std::size_t n = 0; n < columns_.scalars.size(); ++n) {
-    const auto s = places_.is_by_length() ? places_.number(k) : length_->value(*t);
-    const auto rounded = s ? common_double(*s) : std::nullopt;
-    if (!rounded) return false;
-    row.push_back(*rounded);
+std::vector<std::size_t> NearRows::untold(std::size_t first, std::size_t count) const {
+  std::vector<std::size_t> numbers;
+  const Columns columns = made(first, count);
+  for (std::size_t k = 0; k < count; ++k)
+    if (!columns.is_told[k]) numbers.push_back(first + k);
+  return numbers;
+}
+
+std::vector<std::size_t> NearRows::make(std::size_t first,
+                                        std::span<std::vector<double>> rows) const {
+  std::vector<std::size_t> untold;
+  const Columns columns = made(first, rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!columns.is_told[k]) {
+      untold.push_back(first + k);
+      continue;
+    }
+    std::vector<double>& row = rows[k];
+    const Frame<double>& rmf = columns.rmf[k];
+    row.assign({columns.t[k], columns.r[0][k], columns.r[1][k], columns.r[2][k], rmf.e1[0],
+                rmf.e1[1], rmf.e1[2]});
+    for (std::size_t n = 0; n < columns_.frames.size(); ++n) orientations_.add(row, rmf);
+    row.insert(row.end(), columns_.scalars.size(), columns.s.empty() ? 0 : columns.s[k]);
   }
-  return true;
+  return untold;
 }
 
 }  // namespace phrame

@@ -32,8 +32,11 @@ class NearRows {
   NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
            const RowPlaces& places);
 
-  /// Makes `row` row k. False where any of it is not told; what is in it then is no matter.
-  bool at(std::size_t k, std::vector<double>& row) const;
+  /// Makes `rows` those from number `first` on. The numbers of those of which any cell is not told,
+  /// ascending; what is in them then is no matter.
+  std::vector<std::size_t> make(std::size_t first, std::span<std::vector<double>> rows) const;
+  /// The same numbers, without the rows.
+  std::vector<std::size_t> untold(std::size_t first, std::size_t count) const;
 
   /// @{ Parts of row k.
   std::optional<NearNumber> parameter(std::size_t k) const;
@@ -42,12 +45,15 @@ class NearRows {
   /// @}
 
  private:
-  bool has_made(std::size_t k, std::vector<double>& row) const;
+  struct Columns;
+  Columns made(std::size_t first, std::size_t count) const;
 
   const TableColumns& columns_;
   const RowPlaces& places_;
   OrientationColumns orientations_;
   bool has_rows_ = false;
+  double from_ = 0;  ///< t of the polynomials
+  double to_ = 0;
   std::optional<CompiledPoints> points_;
   std::optional<CompiledFrames> frames_;
   std::optional<CompiledLength> length_;

@@ -200,15 +200,17 @@ AskedRows asked_rows(const NamedPath& named, bool ends, const FramesOptions& opt
   std::vector<Rational> numbers;
   if (by.kind() == ParameterKind::t || by.kind() == ParameterKind::arc_length) {
     numbers = asked;
+    numbers.reserve(asked.size() + static_cast<std::size_t>(samples));
     const Rational last = samples > 0 ? *by.sample_values(2).back().exact() : 0;
-    for (long k = 0; k < samples; ++k) numbers.push_back(Rational(k, samples - 1) * last);
+    const Rational step = samples > 1 ? last / (samples - 1) : 0;
+    for (long k = 0; k < samples; ++k) numbers.push_back(k * step);
   }
   if (by.kind() == ParameterKind::arc_length) return {RowPlaces(std::move(numbers), by.length())};
   if (by.kind() == ParameterKind::t) {
     RowPlaces places(std::move(numbers), [path, ends](const Rational& t) {
       return Place(ends ? locate_inside(path.segments().size(), t) : locate(path, t));
     });
-    for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t k = 0; k < asked.size(); ++k)
       if (const Rational& t = places.numbers()[k]; t < 0 || t > path.end())
         places.place(k);  // which throws where there is none
     return {std::move(places)};

@@ -15,11 +15,9 @@
 namespace phrame::inline v0::cli {
 namespace {
 
-constexpr std::size_t block_rows = 1024;
-
 /// Of so many rows that follow one another.
 struct Block {
-  std::vector<std::vector<double>> rows{block_rows};
+  std::vector<std::vector<double>> rows{FrameRows::block};
   std::vector<std::size_t> others;  ///< those that doubles are not enough for
   std::string text;
 };
@@ -68,8 +66,8 @@ class RowStream {
  private:
   template <class Make>
   void make_blocks(std::size_t first, const Make& make);
-  template <class Use>
-  void make_rows(const Use& use);
+  /// So many rows are made at once, several blocks.
+  std::size_t at_once() const { return blocks_.size() * FrameRows::block; }
 
   FrameRows& rows_;
   std::vector<Block> blocks_;
@@ -80,51 +78,42 @@ class RowStream {
 template <class Make>
 void RowStream::make_blocks(std::size_t first, const Make& make) {
   const auto make_one = [&](std::size_t b) {
-    const std::size_t from = std::min(first + b * block_rows, rows_.size());
-    make(blocks_[b], from, std::min(block_rows, rows_.size() - from));
+    const std::size_t from = std::min(first + b * FrameRows::block, rows_.size());
+    make(blocks_[b], from, std::min(FrameRows::block, rows_.size() - from));
   };
-  if (first + block_rows < rows_.size()) return on_all_cores(blocks_.size(), make_one);
+  if (first + FrameRows::block < rows_.size()) return on_all_cores(blocks_.size(), make_one);
   for (std::size_t b = 0; b < blocks_.size(); ++b) make_one(b);  // of which one has rows
-}
-
-/// use(number of the first row) for the blocks from there on, with all rows but the others.
-template <class Use>
-void RowStream::make_rows(const Use& use) {
-  for (std::size_t first = 0; first < rows_.size(); first += blocks_.size() * block_rows) {
-    make_blocks(first, [&](Block& block, std::size_t from, std::size_t count) {
-      block.others.clear();
-      for (std::size_t k = 0; k < count; ++k)
-        if (!rows_.near(from + k, block.rows[k])) block.others.push_back(from + k);
-    });
-    use(first);
-  }
 }
 
 WrittenRows RowStream::check() {
   WrittenRows found;
   Stage stage("rows", rows_.size());
   std::size_t done = 0;
-  make_rows([&](std::size_t) {
+  for (std::size_t first = 0; first < rows_.size(); first += at_once()) {
+    make_blocks(first, [&](Block& block, std::size_t from, std::size_t count) {
+      block.others = rows_.not_near(from, count);
+    });
     for (const Block& block : blocks_)
       for (const std::size_t k : block.others) {
         exact_.emplace(k, rows_.exact(k).values);
         for (; done <= k; ++done) stage.advance();
         if (!rows_.reason().empty() && ++found.incomplete == 1) found.first_reason = rows_.reason();
       }
-  });
+  }
   return found;
 }
 
 void RowStream::write(Output& output, const RowFormat& format) {
   output.write(format.header(rows_.empty_table().columns, rows_.size()));
-  make_rows([&](std::size_t first) {
+  for (std::size_t first = 0; first < rows_.size(); first += at_once()) {
     make_blocks(first, [&](Block& block, std::size_t from, std::size_t count) {
+      const std::span rows = std::span(block.rows).first(count);
+      for (const std::size_t k : rows_.near(from, rows)) rows[k - from] = exact_.at(k);
       block.text.clear();
-      for (const std::size_t k : block.others) block.rows[k - from] = exact_.at(k);
-      for (std::size_t k = 0; k < count; ++k) format.append(block.text, block.rows[k]);
+      for (const std::vector<double>& row : rows) format.append(block.text, row);
     });
     for (const Block& block : blocks_) output.write(block.text);
-  });
+  }
 }
 
 }  // namespace

@@ -120,9 +120,11 @@ int run_chosen(const CommandLine& line) {
   return done;
 }
 
-/// Help, and what asks for no command or is wrong, with all commands to say so.
+/// Help, and what asks for no command or is wrong, with all commands to say so; the version, which
+/// is alone, without them.
 int run_any(const std::vector<std::string>& words) {
-  const CommandLine line(phrame::cli::all_commands());
+  const bool is_version = words == std::vector<std::string>{"--version"};
+  const CommandLine line(is_version ? phrame::cli::CommandTable() : phrame::cli::all_commands());
   const phrame::cli::Program& program = line.program();
   if (const std::string wrong = phrame::cli::complaint_about_command(program, words);
       !wrong.empty())

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/resultant.hpp"
@@ -34,15 +36,35 @@ std::vector<LogSum> smallest_extension(const RationalFunction& f,
   return sums;
 }
 
-/// Are all residues, those at the conjugates of the poles too, seen to be distinct?
-bool have_distinct_residues(const std::vector<NearPole>& poles) {
-  for (auto p = poles.begin(); p != poles.end(); ++p) {
-    if (p->residue.im().contains_zero()) return false;
-    for (auto q = poles.begin(); q != p; ++q)
-      if (p->residue.overlaps(q->residue) || p->residue.overlaps(conjugate(q->residue)))
-        return false;
+/// Of all sets of these, the empty one first; each up to an integer, in [0, 1).
+std::vector<double> sums_modulo_one(std::span<const double> of) {
+  std::vector<double> sums{0};
+  for (const double x : of) {
+    const std::size_t count = sums.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const double sum = sums[k] + x;
+      sums.push_back(sum - std::floor(sum));
+    }
   }
-  return true;
+  return sums;
+}
+
+/// Is the sum of some of the numbers, at least one, within `error` of an integer? Cost: twice the
+/// root of the number of all sums, to sort them and to look them up.
+bool has_sum_near_integer(std::span<const double> numbers, double error) {
+  const std::size_t half = numbers.size() / 2;
+  const std::vector<double> first = sums_modulo_one(numbers.first(half));
+  std::vector<double> second = sums_modulo_one(numbers.subspan(half));
+  const auto is_near_integer = [error](double x) { return std::abs(x - std::round(x)) <= error; };
+  if (std::any_of(second.begin() + 1, second.end(), is_near_integer)) return true;
+  std::sort(second.begin(), second.end());
+  return std::any_of(first.begin() + 1, first.end(), [&](double x) {
+    // Next to 1 − x, also where that goes around from 1 to 0.
+    const auto above = std::lower_bound(second.begin(), second.end(), 1 - x);
+    const double next = above == second.end() ? second.front() : *above;
+    const double before = above == second.begin() ? second.back() : *std::prev(above);
+    return is_near_integer(x + next) || is_near_integer(x + before);
+  });
 }
 
 // A factor of an integer polynomial a·tⁿ + … has an integer leading coefficient b that divides a
@@ -50,25 +72,21 @@ bool have_distinct_residues(const std::vector<NearPole>& poles) {
 // root and its conjugate belong to the same factor. That one factor has no root of the last pair
 // can be assumed.
 bool has_irreducible_denominator(const std::vector<NearPole>& poles, const Polynomial& d) {
-  constexpr std::size_t most_pairs = 10;
+  constexpr std::size_t most_pairs = 22;
   constexpr long bits = 64;
   if (poles.size() > most_pairs || 2 * static_cast<long>(poles.size()) != d.degree()) return false;
   const RealBall twice(Rational(2) * primitive_part(d).leading_coefficient(), bits);
-  std::vector<double> sums;  // of all sets of the pairs before this one, but none
+  std::vector<double> pairs;  // but the last
   double size = 1;
   for (std::size_t k = 0; k + 1 < poles.size(); ++k) {
     const RealBall ball = multiply(twice, poles[k].place.re(), bits);
     if (!ball.is_accurate(bits - 16)) return false;
-    const double pair = approximate(ball);
-    size += std::abs(pair);
-    const std::size_t count = sums.size();
-    sums.push_back(pair);
-    for (std::size_t j = 0; j < count; ++j) sums.push_back(sums[j] + pair);
+    pairs.push_back(approximate(ball));
+    size += std::max(1.0, std::abs(pairs.back()));
   }
-  // Each is off by the radii of ten balls and ten roundings at most.
-  const double error = size * 0x1p-40;
-  return std::all_of(sums.begin(), sums.end(),
-                     [error](double x) { return std::abs(x - std::round(x)) > error; });
+  // The radii of the balls together are at most 2^−48 of size; a sum is rounded once for each, by
+  // 2^−53 of size + 1 at most. All that is less than 2^−46 of size.
+  return !has_sum_near_integer(pairs, size * 0x1p-44);
 }
 
 /// Those of one irreducible denominator with distinct residues, which is what most are.

@@ -81,6 +81,18 @@ TEST_CASE("near poles: fractions, next to the axis, and roots that n and d have 
   }
 }
 
+TEST_CASE("near poles: residues that are equal, or conjugate ones, are not distinct") {
+  const auto are_distinct = [](const Polynomial& n, const Polynomial& d) {
+    const auto poles = near_poles(n, d);
+    REQUIRE(poles);
+    return have_distinct_residues(*poles);
+  };
+  const Polynomial d{3, 0, 1, 0, 1};
+  CHECK(are_distinct({1, 2}, d));
+  CHECK_FALSE(are_distinct({0, 2}, d));  // at z and at −z, so that at −z̄ it is the conjugate
+  CHECK_FALSE(are_distinct(differentiate(d), d));  // all are 1
+}
+
 TEST_CASE("near poles: none where doubles do not prove them") {
   const Polynomial i{1, 0, 1};
   const Polynomial n{1, 1};

@@ -74,4 +74,50 @@ TEST_CASE("rounded values: law: the nearest doubles, the same by whatever the pr
   CHECK(told > 500);
 }
 
+// Of numbers that are doubles, that are sums of two, and that are known to some error; next to the
+// ends of pieces, too, where nothing is told.
+TEST_CASE("rounded values: law: of near numbers those that are told are the nearest doubles") {
+  long told = 0;
+  for_samples(20, [&](Random& random) {
+    const Known known(random, 0);
+    std::vector<Rational> exact;
+    NearNumbers t(random.integer(1, 60), 0);
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      const bool is_near_end = random.chance(4);
+      const double end = known.p.ends()[static_cast<std::size_t>(
+          random.integer(1, static_cast<long>(known.p.ends().size()) - 2))];
+      const double high = is_near_end
+                              ? std::nextafter(end, random.chance(2) ? 0 : 1)
+                              : std::ldexp(static_cast<double>(random.integer(0, 1L << 53)), -53);
+      const double low =
+          random.chance(3) ? 0 : std::ldexp(static_cast<double>(random.integer(-999, 999)), -65);
+      const double error = low == 0 || random.chance(2) ? 0 : 0x1p-100;
+      t.set(k, {{high, low}, error});
+      exact.push_back(exact_rational(high) + exact_rational(low));
+    }
+    for (const std::size_t at_once : {2, 4, 8}) {
+      if (at_once > widest()) continue;
+      CAPTURE(at_once);
+      std::vector<double> values(t.size());
+      const std::vector<std::size_t> untold = rounded_values(known.p, t, values, at_once);
+      for (std::size_t k = 0; k < t.size(); ++k) {
+        CAPTURE(t.high[k]);
+        CAPTURE(t.low[k]);
+        const NearNumber one{{t.high[k], t.low[k]}, t.error[k]};
+        const auto near = near_values<1>(known.p, one);
+        const auto rounded = near ? common_double(near->values[0], near->error) : std::nullopt;
+        CHECK(std::binary_search(untold.begin(), untold.end(), k) == !rounded);
+        if (!rounded) continue;
+        ++told;
+        const std::size_t number = known.p.index_at(t.high[k]);
+        const PolynomialPiece& piece = known.p.pieces()[number];
+        const Rational y = (exact[k] - exact_rational(piece.center)) * exact_rational(piece.scale);
+        const RealBall value = evaluate(known.exact[number], RealBall(y, 400), 400);
+        CHECK(values[k] == round_to_double(value.midpoint()));
+      }
+    }
+  });
+  CHECK(told > 500);
+}
+
 }  // namespace rounded_values_test

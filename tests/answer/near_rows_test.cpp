@@ -1,5 +1,6 @@
 #include "phrame/answer/near_rows.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "io/reference.hpp"
@@ -35,15 +36,17 @@ double compare_rows(const Path& path, bool is_by_length, long count, long step,
   std::vector<Rational> numbers;
   for (long k = 0; k < count; ++k) numbers.push_back(end * Rational(k, count - 1));
   const FrameRows rows(angle, columns, at(numbers));
+  std::vector<std::vector<double>> made(numbers.size());
+  const std::vector<std::size_t> untold = rows.near(0, made);
   long near = 0;
   for (std::size_t number = 0; number < numbers.size(); ++number) {
-    std::vector<double> row;
-    if (!rows.near(number, row)) continue;
+    const std::vector<double>& row = made[number];
+    if (std::binary_search(untold.begin(), untold.end(), number)) continue;
     if (near++ % step != 0) continue;
     CAPTURE(number);
     FrameRows one(angle, columns, at({numbers[number]}));
     std::vector<double> none;
-    REQUIRE_FALSE(one.near(0, none));
+    REQUIRE(one.near(0, {&none, 1}).size() == 1);
     CHECK(row == one.exact(0).values);
   }
   return static_cast<double>(near) / static_cast<double>(count);

@@ -120,4 +120,19 @@ TEST_CASE("integrate: law: what near poles tell changes nothing") {
     if (random.chance(2)) d = d * d + Polynomial{random.integer(1, 9)};
     if (is_squarefree(d)) check({random.integer(-9, 9), random.integer(1, 9)}, d);
   });
+  // Of high degree, with up to 22 pairs of roots, irreducible and not.
+  for_samples(12, [&](Random& random) {
+    const auto square = [&](long degree) {
+      std::vector<Rational> c;
+      for (long k = 0; k <= degree; ++k) c.emplace_back(random.integer(-9, 9));
+      return Polynomial(c) * Polynomial(c);
+    };
+    const long degree = random.integer(5, 22);
+    const long of_first = random.chance(3) ? 0 : random.integer(1, degree / 2);
+    const Polynomial first = square(of_first) + square(of_first) + Polynomial{1};
+    const long rest = degree - first.degree() / 2;
+    const Polynomial d = first * (square(rest) + square(rest) + Polynomial{random.integer(1, 9)});
+    const Polynomial n{random.integer(-9, 9), random.integer(1, 9)};
+    if (near_poles(n, d)) check(n, d);
+  });
 }

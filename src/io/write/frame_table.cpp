@@ -19,13 +19,17 @@ std::string csv_header(const std::vector<std::string>& columns, std::size_t) {
 }
 
 void append_csv(std::string& text, const std::vector<double>& row) {
+  // Written where it stays: to copy so few characters at a time takes as long as to find them.
+  constexpr std::size_t most_of_cell = 32;
+  const std::size_t before = text.size();
+  text.resize(before + most_of_cell * row.size() + 1);
+  char* end = text.data() + before;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    if (k > 0) text += ',';
-    if (std::isnan(row[k])) continue;
-    char digits[32];
-    text.append(digits, fmt::format_to(digits, FMT_COMPILE("{}"), row[k]));
+    if (k > 0) *end++ = ',';
+    if (!std::isnan(row[k])) end = fmt::format_to(end, FMT_COMPILE("{}"), row[k]);
   }
-  text += '\n';
+  *end++ = '\n';
+  text.resize(static_cast<std::size_t>(end - text.data()));
 }
 
 std::string npy_header(const std::vector<std::string>& columns, std::size_t rows) {

@@ -15,7 +15,8 @@
 namespace phrame::inline v0 {
 namespace {
 
-constexpr long first_bits = 128;  // of a value, as Evaluator::value() has them
+constexpr long first_bits = 128;      // of a value, as Evaluator::value() has them
+constexpr long most_quick_bits = 80;  // that poles in doubles give
 
 /// z with arg z = arg p(t) − arg p(0).
 GaussianRational turn(const GaussianPolynomial& p, const Rational& t) {
@@ -234,6 +235,8 @@ const Antiderivative& RmfAngle::antiderivative() const {
 /// rises until their sum is as accurate as asked.
 RealBall RmfAngle::enclose(const Rational& t, long bits) const {
   const auto& argument = parts_->argument;
+  if (route_ == Route::automatic && bits <= most_quick_bits && t != 0 && !is_zero())
+    if (auto ball = parts_->quick(t); ball && ball->is_accurate(bits)) return *std::move(ball);
   const Evaluator evaluator = parts_->evaluator(route_);
   if (!argument) return evaluator.difference(0, t, bits);
   if (route_ == Route::automatic)

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/piece_groups.hpp"
+#include "phrame/algebra/near_numbers.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/direction_span.hpp"
@@ -111,32 +111,35 @@ template <class T>
           twice(uv + pq),    twice(up + vq), twice(pq - uv), uu - vv - pp + qq};
 }
 
-/// What they are off by, where B is off by that: of a component, at most four products and three
-/// sums of them, which are off by about 2^−102.
-double component_error(double of_rotation) { return frame_error(of_rotation) + 0x1p-94; }
+/// error ← what they are off by, where B is off by that: of a component, at most four products and
+/// three sums of them, which are off by about 2^−102.
+template <class T>
+[[gnu::always_inline]] inline void to_component_error(T& error) {
+  to_frame_error(error);
+  error += 0x1p-94;
+}
 
 /// Number k of them, rounded.
 double& component(Frame<double>& frame, std::size_t k) {
   return (k < 3 ? frame.e1 : k < 6 ? frame.e2 : frame.e3)[k % 3];
 }
 
-/// The frames of a group.
+/// The frames of a group; of t it says what near_values() wants.
+template <class Numbers>
 struct GroupFrames {
   const PieceGroup& group;
   const DoubleShape& shape;
+  const Numbers& t;
   const CompiledFrames::Zeros& zeros;
   std::span<Frame<double>> frames;
   std::vector<std::size_t>& untold;
 
   template <class T>
   [[gnu::always_inline]] void run() const {
-    const double error = component_error(group.piece.error);
     for (std::size_t at = 0; at < group.t.size(); at += lanes<T>) {
-      std::array<T, 1> y;
-      group.load(at, y);
-      const auto b = compensated_values<4>(group.piece.coefficients.data(), shape, y);
-      store(at, components<T>({b[0], b[1], b[2], b[3]}), T{} + error,
-            std::make_index_sequence<9>());
+      auto [b, errors] = near_values<4, T, 1>(group, shape, t, at);
+      to_component_error(errors[0]);
+      store(at, components<T>({b[0], b[1], b[2], b[3]}), errors[0], std::make_index_sequence<9>());
     }
   }
 
@@ -272,7 +275,8 @@ const CompiledFrames::Zeros& CompiledFrames::zeros_at(double t) const {
 
 std::optional<Frame<double>> CompiledFrames::near_frame(double t, const Rotation& at) const {
   const Zeros& zeros = zeros_at(t);
-  const double error = component_error(at.error);
+  double error = at.error;
+  to_component_error(error);
   const auto x = components(at.b);
   Frame<double> frame{};
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -284,18 +288,29 @@ std::optional<Frame<double>> CompiledFrames::near_frame(double t, const Rotation
   return frame;
 }
 
-std::vector<std::size_t> CompiledFrames::rounded(std::span<const double> t,
-                                                 std::span<Frame<double>> frames) const {
-  polynomials_->require_inside(t, frames.size(), "compiled frames");
+template <class Numbers>
+std::vector<std::size_t> CompiledFrames::found_frames(std::span<const double> at, const Numbers& t,
+                                                      std::span<Frame<double>> frames) const {
+  polynomials_->require_inside(at, frames.size(), "compiled frames");
   return rounding_to_nearest([&] {
     std::vector<std::size_t> untold;
-    for_each_group(*polynomials_, t, [&](const PieceGroup& group) {
-      run_wide(widest(),
-               GroupFrames{group, polynomials_->shape(), zeros_at(group.t[0]), frames, untold});
+    for_each_group(*polynomials_, at, [&](const PieceGroup& group) {
+      run_wide(widest(), GroupFrames<Numbers>{group, polynomials_->shape(), t, zeros_at(group.t[0]),
+                                              frames, untold});
     });
     std::sort(untold.begin(), untold.end());
     return untold;
   });
+}
+
+std::vector<std::size_t> CompiledFrames::rounded(std::span<const double> t,
+                                                 std::span<Frame<double>> frames) const {
+  return found_frames(t, OnlyDoubles(), frames);
+}
+
+std::vector<std::size_t> CompiledFrames::rounded(const NearNumbers& t,
+                                                 std::span<Frame<double>> frames) const {
+  return found_frames(t.high, t, frames);
 }
 
 void CompiledFrames::operator()(std::span<const double> t, std::span<Frame<double>> frames) const {

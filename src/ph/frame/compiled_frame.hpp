@@ -11,6 +11,7 @@ namespace phrame::inline v0 {
 
 class PiecewisePolynomial;
 struct NearNumber;
+struct NearNumbers;
 
 /// Moving frames for millions of parameters, a few hundred operations each. Const
 /// members may be called from several threads.
@@ -53,6 +54,8 @@ class PHRAME_API CompiledFrames {
                                    std::span<Frame<double>> frames) const;
   /// The same at a t that need not be a double; no value outside of [from, to].
   std::optional<Frame<double>> rounded(const NearNumber& t) const;
+  /// The same at many t; throws DomainError where the high part of one is outside.
+  std::vector<std::size_t> rounded(const NearNumbers& t, std::span<Frame<double>> frames) const;
 
   struct Rotation;  // ph/frame/compiled_frame_rotation.hpp
   /// The unit quaternion that the frame at t is made of. Throws as above.
@@ -64,6 +67,10 @@ class PHRAME_API CompiledFrames {
  private:
   /// Which components are 0 where t is.
   const Zeros& zeros_at(double t) const;
+  /// What rounded() gives at these t, in groups by the doubles `at`.
+  template <class Numbers>
+  std::vector<std::size_t> found_frames(std::span<const double> at, const Numbers& t,
+                                        std::span<Frame<double>> frames) const;
   /// What rounded() gives at t.
   std::optional<Frame<double>> near_frame(double t, const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);

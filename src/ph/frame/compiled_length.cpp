@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounded_values.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/curve/invariants.hpp"
@@ -60,12 +61,8 @@ CompiledLength::CompiledLength(const Path& path) : polynomials_(compiled_length(
     at_ends_.push_back(near_values<1>(polynomials_, {{t, 0}, 0}).value().values[0].high);
 }
 
-std::optional<NearNumber> CompiledLength::value(const NearNumber& t) const {
-  return rounding_to_nearest([&]() -> std::optional<NearNumber> {
-    const auto near = near_values<1>(polynomials_, t);
-    if (!near) return std::nullopt;
-    return NearNumber{near->values[0], near->error};
-  });
+std::vector<std::size_t> CompiledLength::rounded(const NearNumbers& t, std::span<double> s) const {
+  return rounding_to_nearest([&] { return rounded_values(polynomials_, t, s); });
 }
 
 std::optional<NearNumber> CompiledLength::parameter(const NearNumber& s) const {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/algebra/near_numbers.hpp"
 #include "phrame/ph/along/path_length.hpp"
 
 namespace phrame::inline v0 {
@@ -13,8 +13,8 @@ class CompiledLength {
   /// they are not found, as along a segment on which f or p changes its sign.
   explicit CompiledLength(const Path& path);
 
-  /// s from the start to t.
-  std::optional<NearNumber> value(const NearNumber& t) const;
+  /// s from the start to many t, whose high parts are inside, as in rounded_values().
+  std::vector<std::size_t> rounded(const NearNumbers& t, std::span<double> s) const;
   /// The t where it is s: Newton's method in doubles, one step with the value of s in twice as many
   /// bits, and the proof that s(t) takes both signs about that of what is left. No value next to
   /// the ends of pieces, and where s′ is nearly 0.

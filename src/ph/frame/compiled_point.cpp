@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "phrame/algebra/rounded_values.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/formula_piece.hpp"
@@ -70,6 +71,21 @@ std::optional<Vector<double>> CompiledPoints::rounded(const NearNumber& t) const
       r[k] = *x;
     }
     return r;
+  });
+}
+
+std::vector<std::size_t> CompiledPoints::rounded(const NearNumbers& t,
+                                                 Vector<std::vector<double>>& r) const {
+  return rounding_to_nearest([&] {
+    std::vector<std::size_t> untold;
+    for (std::size_t k = 0; k < 3; ++k) {
+      r[k].resize(t.size());
+      const auto of_component = rounded_values(polynomials_[k], t, r[k]);
+      untold.insert(untold.end(), of_component.begin(), of_component.end());
+      for (std::size_t n = 0; n < t.size(); ++n)
+        if (!std::isfinite(r[k][n])) untold.push_back(n);
+    }
+    return untold;
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "phrame/algebra/piecewise_polynomial.hpp"
+#include "phrame/algebra/near_numbers.hpp"
 #include "phrame/ph/curve/path.hpp"
 
 namespace phrame::inline v0 {
@@ -17,6 +17,9 @@ class CompiledPoints {
 
   /// r(t), each coordinate correctly rounded, where the polynomials are enough for that.
   std::optional<Vector<double>> rounded(const NearNumber& t) const;
+  /// The same at many t, whose high parts are inside: x, y and z of all of them, and the numbers of
+  /// those that have none.
+  std::vector<std::size_t> rounded(const NearNumbers& t, Vector<std::vector<double>>& r) const;
 
  private:
   std::vector<PiecewisePolynomial> polynomials_;  ///< of x, y and z

@@ -263,6 +263,4 @@ PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, d
           }};
 }
 
-double frame_error(double error) { return sum_up(2 * error, 2 * error * error); }
-
 }  // namespace phrame

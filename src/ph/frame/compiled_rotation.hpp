@@ -39,7 +39,15 @@ PiecewisePolynomial compiled_rotation(const PathAngle& angle, std::size_t segmen
 PiecewisePolynomial compiled_rotation(const Curve& curve, Reference reference, double from,
                                       double to, double origin, const DoubleShape& shape);
 
-/// What the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B| = 1.
-double frame_error(double error);
+/// error ← what the components of the frame of a quaternion Q with |Q − B| ≤ error are off by, |B|
+/// = 1, not rounded down. T is double or Wide<n>.
+template <class T>
+[[gnu::always_inline]] inline void to_frame_error(T& error) {
+  error = (2.0 * error + 2.0 * error * error) * (1 + 0x1p-51);
+}
+inline double frame_error(double error) {
+  to_frame_error(error);
+  return error;
+}
 
 }  // namespace phrame
