@@ -346,7 +346,7 @@ JsonOutput json_of(const NamedPath& named) {
     JsonOutput part = segment_json(list[k]);
     part.erase("phrame");
     // Where a segment by formulas ends is not read as fractions.
-    if (k > 0 && rational_curve(list[k - 1]) != nullptr) part.erase("start");
+    if (k > 0 && !std::holds_alternative<ExpressionCurve>(list[k - 1])) part.erase("start");
     segments.push_back(std::move(part));
   }
   json["segments"] = std::move(segments);
