@@ -101,9 +101,12 @@ void bind_certificate(nb::module_& m, PathClass& path) {
             for (const Statement& statement : verified(c)) {
               if (statement.is_proved()) continue;
               const auto* what = std::get_if<std::string>(&statement.what);
-              const auto* claim = std::get_if<AngleClaim>(&statement.what);
-              list.push_back((what != nullptr ? *what : "angle at " + to_string(claim->t)) + ": " +
-                             statement.objection);
+              const auto* angle = std::get_if<AngleClaim>(&statement.what);
+              list.push_back((what != nullptr    ? *what
+                              : angle != nullptr ? "angle at " + to_string(angle->t)
+                                                 : "length at " + to_string(std::get<LengthClaim>(
+                                                                       statement.what).t)) +
+                             ": " + statement.objection);
             }
             return list;
           },
