@@ -713,15 +713,16 @@ def work_of_integral(P):
     total, longest = TAKEN.volume ** 2 // 63000, 0
     for C in P.segments:
         lists = [C.x, C.y, C.z, C.w, C.square]
-        D, a = 6 * max(len(p.c) for p in lists), max(p.bits() for p in lists)
-        total += 50 * D ** 3 * (1 + a // 64) + D ** 2 * a ** 2 // 2
+        d, a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
+        total += 3000 * d ** 3 * (1 + a // 64) + 2 * d ** 2 * a ** 2
         for piece in C.pieces:
-            k, e = D + len(piece.root) + len(piece.rate), bits_of(piece.to)
-            b = max([piece.root_bits, piece.rate_bits] + [x.bit_length() for x in piece.root + piece.rate])
-            total += k ** 2 * (a + b + D * e + 2000) // 10
+            k, b = 6 * d + len(piece.root) + len(piece.rate), max(piece.root_bits, piece.rate_bits)
+            b = max([b] + [x.bit_length() for x in piece.root + piece.rate]) + 4 * a + 6 * d * bits_of(piece.to)
+            total += k ** 2 * (b + 2000) // 10 + k * b ** 2 // 2000
             longest = max(longest, len(piece.rate))
     for claim in P.claims:
-        total += bits_of(claim.t, claim.value, claim.radius) ** 2 * (1 + longest) ** 2 // 1000 + 1000
+        total += (bits_of(claim.t) * (1 + longest)) ** 2 // 500 + bits_of(claim.value, claim.radius) ** 2 // 1000
+        total += 1000 * (1 + len(P.segments))
     return total
 
 
@@ -1476,11 +1477,13 @@ class IntegralProof(Statements):
             require(not any(cross(x, y)), "the Frenet frame does not go on")
 
     def binormal(self, C):
-        """(g, B) with H x H' = g B, the parts of B coprime."""
-        b = cross(C.H, [a.derivative() for a in C.H])
-        g = common(*b)
-        require(g, "a straight line has no Frenet frame")
-        return g, [a.over(g) for a in b]
+        """(g, B) with H x H' = g B, the parts of B coprime; found once."""
+        if not hasattr(C, "bend"):
+            b = cross(C.H, [a.derivative() for a in C.H])
+            g = common(*b)
+            C.bend = g, [a.over(g) for a in b] if g else None
+        require(C.bend[0], "a straight line has no Frenet frame")
+        return C.bend
 
     def rate(self, C):
         """N/(D sqrt(S)) for |H|^2 = c^2 S."""

@@ -31,6 +31,7 @@ class IntegralReader {
     node.require(JsonNode::Kind::object, "an object");
     node.require_known_keys({"x", "y", "z", "w", "square", "pieces"});
     length_ = bits_ = 0;
+    ++count_;
     IntegralSegment s{
         {polynomial(node.at("x")), polynomial(node.at("y")), polynomial(node.at("z"))},
         polynomial(node.at("w")),
@@ -38,9 +39,9 @@ class IntegralReader {
         {}};
     if (s.weight(0) == 0) node.at("w").fail("the weight is 0 at t = 0");
     if (s.square.is_zero()) node.at("square").fail("the polynomial is 0");
-    const Integer d = 6 * length_;
+    const Integer d = length_;
     const Integer a = bits_;
-    work_ += 50 * d * d * d * Integer(1 + bits_ / 64) + d * d * a * a / 2;
+    work_ += 3000 * d * d * d * Integer(1 + bits_ / 64) + 2 * d * d * a * a;
     s.pieces = read_list(node.at("pieces"), [this](const JsonNode& item) { return piece(item); });
     return s;
   }
@@ -48,10 +49,9 @@ class IntegralReader {
   /// Precondition: all segments are read.
   Rational parameter(const JsonNode& node, const std::string& value, const std::string& radius) {
     Rational t = exact(node);
-    const Integer bits =
-        bits_of(t) + bits_of(parse_rational(value)) + bits_of(parse_rational(radius));
-    const Integer terms = 1 + longest_;
-    work_ += bits * bits * terms * terms / 1000 + 1000;
+    const Integer of_t = Integer(bits_of(t)) * (1 + longest_);
+    const Integer of_value = bits_of(parse_rational(value)) + bits_of(parse_rational(radius));
+    work_ += of_t * of_t / 500 + of_value * of_value / 1000 + 1000 * Integer(1 + count_);
     return t;
   }
 
@@ -90,9 +90,9 @@ class IntegralReader {
     for (const auto* grid : {&p.root, &p.rate})
       for (const Integer& x : grid->terms) bits = std::max(bits, bit_length(x));
     const long terms = static_cast<long>(p.root.terms.size() + p.rate.terms.size());
-    const Integer d = 6 * length_;
-    const Integer k = d + Integer(terms);
-    work_ += k * k * (Integer(bits + bits_ + 2000) + d * Integer(bits_of(p.to))) / 10;
+    const Integer k = 6 * length_ + terms;
+    const Integer b = Integer(bits + 4 * bits_) + Integer(6 * length_) * bits_of(p.to);
+    work_ += k * k * (b + 2000) / 10 + k * b * b / 2000;
     longest_ = std::max(longest_, static_cast<long>(p.rate.terms.size()));
     return p;
   }
@@ -101,6 +101,7 @@ class IntegralReader {
   long length_ = 0;   ///< of the lists of the segment
   long bits_ = 0;     ///< of its coefficients
   long longest_ = 0;  ///< of the rates
+  long count_ = 0;    ///< of segments
   Integer volume_ = 0;
   Integer work_ = 0;
 };

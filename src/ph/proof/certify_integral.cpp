@@ -8,7 +8,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
-#include "phrame/algebra/unit_recurrence.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/integral_laws.hpp"
@@ -17,32 +16,8 @@
 namespace phrame::inline v0 {
 namespace {
 
-/// By so many bits at least each term is to be less than the one before, on the average: of fewer
-/// all pieces together have more terms, of more they take more room.
-const Rational bits_per_term(3, 2);
-
 /// Beyond the digits of a claim.
 constexpr long spare_bits = 10;
-
-/// ⌊x·2^bits + 1/2⌋.
-Integer on_grid(const Rational& x, long bits) {
-  return floor(x * power_of_two(bits) + Rational(1, 2));
-}
-
-/// About √x, with so many bits, for x > 0.
-Rational root_near(const Rational& x, long bits) {
-  const long shift = bits - binary_exponent(x) / 2;
-  return sqrt(floor(x * power_of_two(2 * shift))) * power_of_two(-shift);
-}
-
-/// Σ factor·series[k]·zᵏ/2^Q, rounded.
-GridPolynomial rounded(const std::vector<Integer>& series, long Q, const Rational& factor,
-                       long bits) {
-  GridPolynomial p{{}, std::max(bits, 0L)};
-  for (const Integer& c : series) p.terms.push_back(on_grid(factor * c * power_of_two(-Q), p.bits));
-  while (!p.terms.empty() && p.terms.back() == 0) p.terms.pop_back();
-  return p;
-}
 
 /// Pieces of one segment.
 class PieceMaker {
@@ -106,50 +81,17 @@ class PieceMaker {
   /// No value where it does not prove enough.
   std::optional<IntegralPiece> piece(const Rational& from, const Rational& to, const Rational& room,
                                      bool has_zero) const {
-    IntegralPiece found = approximation(from, to, room);
-    found.to = to;
-    if (found.root.terms.empty()) return std::nullopt;
+    const Polynomial D = on_piece(f_.denominator, from, to);
+    if (2 * D.coefficient(0) <= sum_of_sizes(D)) return std::nullopt;
+    auto about = grid_quotient(on_piece(f_.numerator, from, to), D, on_piece(f_.radicand, from, to),
+                               binary_exponent((to - from) / room) + 2);
+    if (!about) return std::nullopt;
+    const IntegralPiece found{to, std::move(about->root), std::move(about->rate)};
     PieceProof proof(f_, found, from);
     if (multiplier_) proof.of_size(*multiplier_);
     if (!proof.objection().empty() || (!has_zero && proof.has_both_signs())) return std::nullopt;
     const IntegralBounds bounds = proof.bounds(to);
     if (bounds.upper - bounds.lower > room) return std::nullopt;
-    return found;
-  }
-
-  /// Empty where Taylor polynomials do not do.
-  IntegralPiece approximation(const Rational& from, const Rational& to,
-                              const Rational& room) const {
-    const auto there = [&](const Polynomial& p) { return on_piece(p, from, to); };
-    const Polynomial D = there(f_.denominator);
-    const Polynomial S = there(f_.radicand);
-    if (2 * D.coefficient(0) <= sum_of_sizes(D)) return {};
-    const bool is_zero = f_.numerator.is_zero();
-    const UnitQuotient f = unit_quotient(is_zero ? Polynomial{1} : there(f_.numerator), D, S);
-    // The rate is this factor times y.
-    const Rational of_rest = abs(f.factor) * power_of_two(unit_exponent(f.numerator)) /
-                             Rational(abs(Integer(f.denominator.get()->coeffs)));
-    const Rational squared = of_rest * of_rest / Rational(Integer(f.radicand.get()->coeffs));
-    const long wanted = binary_exponent((to - from) / room) + 2;
-    const long relative = is_zero ? 8 : std::max(8L, wanted + binary_exponent(squared) / 2 + 4);
-    const long count = static_cast<long>(floor(relative / bits_per_term)) + 2 + S.degree();
-    const long more = bit_length(Integer(count)) + 4;
-    const long Q = relative + more + 16;
-    RootRecurrence<Integer> root(f, Q, Q + 64);
-    QuotientRecurrence<Integer> quotient(f, Q + 64);
-    quotient.step(root.w());
-    for (long k = 0; k < count; ++k) {
-      root.step();
-      quotient.step(root.w());
-      if (bit_length(root.w().c.back()) > Q + 64) return {};  // they do not converge
-    }
-    const int sign = f.factor.sign() * Integer(f.denominator.get()->coeffs).sign();
-    IntegralPiece found;
-    const long size_of_root = binary_exponent(S.coefficient(0)) / 2;
-    found.root =
-        rounded(root.w().c, Q, 1 / root_near(S.coefficient(0), Q), relative + more + size_of_root);
-    found.rate = rounded(quotient.y().c, Q, Rational(sign) * root_near(squared, Q), wanted + more);
-    if (is_zero) found.rate = {};
     return found;
   }
 

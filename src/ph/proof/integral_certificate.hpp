@@ -2,17 +2,11 @@
 #include <optional>
 #include <vector>
 
+#include "phrame/algebra/grid_polynomial.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::inline v0 {
-
-/// Σ terms[k]·zᵏ/2^bits.
-struct GridPolynomial {
-  std::vector<Integer> terms;  ///< maybe with zeros at the end
-  long bits = 0;               ///< ≥ 0
-  friend bool operator==(const GridPolynomial&, const GridPolynomial&) = default;
-};
 
 /// What is stated of N/(D√S) from a to b, as functions of z ∈ [−1, 1], t = (a + b)/2 + z(b − a)/2.
 struct IntegralPiece {

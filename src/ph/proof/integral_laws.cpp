@@ -110,16 +110,6 @@ Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& t
   return compose(p, {(from + to) / 2, (to - from) / 2});
 }
 
-Rational sum_of_sizes(const Polynomial& p) {
-  Rational sum = 0;
-  for (const Rational& c : p.coefficients()) sum += abs(c);
-  return sum;
-}
-
-Polynomial to_polynomial(const GridPolynomial& p) {
-  return power_of_two(-p.bits) * Polynomial(std::vector<Rational>(p.terms.begin(), p.terms.end()));
-}
-
 // With |1 − Su²| ≤ δ < 1 and u > 0, u√S is the root of a number between 1 − δ and 1 + δ, so that
 // N/(D√S) differs from Nu/D by |Nu/D|·δ/(1 − δ) at most, and that from p by |Nu − Dp|/|D|.
 PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start)

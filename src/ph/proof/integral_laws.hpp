@@ -62,9 +62,5 @@ class PieceProof {
 
 /// p as a function of z.
 Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& to);
-/// Σ |coefficients|.
-Rational sum_of_sizes(const Polynomial& p);
-/// What is on the grid.
-Polynomial to_polynomial(const GridPolynomial& p);
 
 }  // namespace phrame
