@@ -717,8 +717,8 @@ def work_of_integral(P):
         total += 3000 * d ** 3 * (1 + a // 64) + 2 * d ** 2 * a ** 2
         for piece in C.pieces:
             k, b = 6 * d + len(piece.root) + len(piece.rate), max(piece.root_bits, piece.rate_bits)
-            b = max([b] + [x.bit_length() for x in piece.root + piece.rate]) + 4 * a + 6 * d * bits_of(piece.to)
-            total += k ** 2 * (b + 2000) // 10 + k * b ** 2 // 2000
+            b = max([b] + [x.bit_length() for x in piece.root + piece.rate]) + 4 * a + 3 * d * bits_of(piece.to)
+            total += k ** 2 * (b + 2000) // 40 + k * b ** 2 // 2000
             longest = max(longest, len(piece.rate))
     for claim in P.claims:
         total += (bits_of(claim.t) * (1 + longest)) ** 2 // 500 + bits_of(claim.value, claim.radius) ** 2 // 1000
@@ -1524,7 +1524,7 @@ class IntegralProof(Statements):
         Nu = N * u
         error = (size(Nu - D * p) + size(Nu) * delta / (1 - delta)) / least
         sign = sign_on_piece(C.f, m, h) if self.frame == "none" else 1
-        F, grid = integral_of(p), 1 << piece.rate_bits + 64
+        F, grid = integral_of(p), 1 << piece.rate_bits + 64 + h.denominator.bit_length()
 
         def bounds(t):
             value, off = h * (F((t - m) / h) - F(Fraction(-1))) * sign, error * (t - start)

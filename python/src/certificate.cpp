@@ -72,21 +72,21 @@ nb::object certified_path(const CertificateObject& self) {
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
                                nb::handle frame, nb::handle up, bool length) -> CertificateObject {
-    const Path path = self.named.path;
-    const auto ts = at.is_none() ? std::vector{path.end()} : rationals(at, "at");
+    const Path along = self.named.path;
+    const auto ts = at.is_none() ? std::vector{along.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     if (length) {
       if (!frame.is_none() || !up.is_none())
         refuse("length", "the length has no frame", nb::cast(length));
-      return {without_gil([&] { return certify_length(path, ts, n); }), self.named.name};
+      return {without_gil([&] { return certify_length(along, ts, n); }), self.named.name};
     }
     const Reference reference = reference_named(frame, "frame", self, up);
     const auto ph = with_preimages(self.named);
     const bool is_of_one = ph && ph->path.is_curve();
     if (reference == Reference::up || (reference == Reference::frenet && !is_of_one)) {
       const PathAngle angle = reference == Reference::up
-                                  ? angle_to_up(path, up)
-                                  : without_gil([&] { return PathAngle(path, reference); });
+                                  ? angle_to_up(along, up)
+                                  : without_gil([&] { return PathAngle(along, reference); });
       return {without_gil([&] { return certify(angle, ts, n); }), self.named.name};
     }
     return without_gil([&]() -> CertificateObject {

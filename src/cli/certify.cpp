@@ -31,7 +31,9 @@ std::string certified(const NamedPhPath& named, Reference reference,
 void run(const CertifyOptions& options) {
   std::optional<Reference> asked;
   if (!options.frame.empty()) asked = chosen_reference(options.frame);
-  const NamedPath named = options.curve.read_any_path();
+  CurveOptions curve = options.curve;
+  curve.is_for_frames = !options.of_length;
+  const NamedPath named = curve.read_any_path();
   const Path& path = named.path;
   require_reference(asked, options.up, path);
   std::vector<Rational> at = options.parameters.fractions_on(named);

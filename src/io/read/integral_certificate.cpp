@@ -91,8 +91,8 @@ class IntegralReader {
       for (const Integer& x : grid->terms) bits = std::max(bits, bit_length(x));
     const long terms = static_cast<long>(p.root.terms.size() + p.rate.terms.size());
     const Integer k = 6 * length_ + terms;
-    const Integer b = Integer(bits + 4 * bits_) + Integer(6 * length_) * bits_of(p.to);
-    work_ += k * k * (b + 2000) / 10 + k * b * b / 2000;
+    const Integer b = Integer(bits + 4 * bits_) + Integer(3 * length_) * bits_of(p.to);
+    work_ += k * k * (b + 2000) / 40 + k * b * b / 2000;
     longest_ = std::max(longest_, static_cast<long>(p.rate.terms.size()));
     return p;
   }

@@ -35,14 +35,13 @@ class PieceMaker {
     Rational start = 0;
     for (const Interval& zero : zeros_) {
       if (start >= t) return list;
-      // Between the ends of an interval with a zero the integral is small.
+      // Next to a zero that is not rational the integral is small.
       Interval close = zero;
       std::optional<IntegralPiece> across;
-      if (zero.lower != zero.upper)
-        for (Rational width(1, 1 << 16); !across; width *= width) {
-          close = narrowed(*multiplier_, zero, width);
-          across = piece(*close.lower, *close.upper, room, true);
-        }
+      for (Rational width(1, 1 << 16); !across && close.lower != close.upper; width *= width) {
+        close = narrowed(*multiplier_, zero, width);
+        if (close.lower != close.upper) across = piece(*close.lower, *close.upper, room, true);
+      }
       add_halves(list, start, *close.lower, t, room);
       if (across) list.push_back(*std::move(across));
       start = *close.upper;
@@ -139,6 +138,12 @@ void find_pieces(IntegralCertificate& c, const PathParameter& end, const Rationa
   }
 }
 
+/// The segment that t is in, the earlier one at a joint, up to which are those that θ(t) rests on.
+PathParameter last_part(std::size_t count, const Rational& t) {
+  const PathParameter at = locate_inside(count, t);
+  return at.t == 0 && at.segment > 0 ? PathParameter{at.segment - 1, 1} : at;
+}
+
 /// add(t, stated) makes the claims; `is_zero` says that all of them are 0.
 template <class Value, class Add>
 IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rational>& at, long digits,
@@ -146,14 +151,13 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
   std::optional<Rational> slack;
   PathParameter end{0, 0};
   for (const Rational& t : at) {
-    const PathParameter place = locate_inside(c.segments.size(), t);
+    const PathParameter place = last_part(c.segments.size(), t);
     const StatedNumber stated = stated_number(value(place), digits, is_zero || t == 0, spare_bits);
     add(c, t, stated);
     if (t == 0) continue;
     if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
     if (!slack || stated.slack < *slack) slack = stated.slack;
   }
-  if (end.segment > 0 && end.t == 0) end = {end.segment - 1, 1};
   if (slack) find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
   return c;
 }

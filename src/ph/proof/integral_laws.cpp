@@ -116,7 +116,7 @@ PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const 
     : start_(start),
       middle_((start + piece.to) / 2),
       half_((piece.to - start) / 2),
-      bits_(piece.rate.bits + 64) {
+      bits_(piece.rate.bits + 64 + bit_length(denominator(half_))) {
   const auto there = [&](const Polynomial& p) { return on_piece(p, start, piece.to); };
   const Polynomial D = there(f.denominator);
   const Polynomial u = to_polynomial(piece.root);
