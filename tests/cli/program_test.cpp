@@ -371,7 +371,7 @@ TEST_CASE("program: no message begins with the name of a function") {
   check_failure(here.run("prove cusped.json --at 1"), 3,
                 "phrame: proof: the preimage has a zero between 0 and t = 1,");
   here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
-  check_failure(here.run("certify table.csv"), 2,
+  check_failure(here.run("prove table.csv --at 1"), 2,
                 "phrame: table.csv:1:2: a curve file is JSON, this begins with \"t,x,y,z\"\n");
   check_failure(here.run("verify table.csv"), 2,
                 "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");
