@@ -71,17 +71,20 @@ nb::object certified_path(const CertificateObject& self) {
 
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
-                               nb::handle frame, nb::handle up, bool length) -> CertificateObject {
+                               nb::handle frame, nb::handle up,
+                               Flag<"length"> length) -> CertificateObject {
     const Path along = self.named.path;
     const auto ts = at.is_none() ? std::vector{along.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     if (length) {
       if (!frame.is_none() || !up.is_none())
-        refuse("length", "the length has no frame", nb::cast(length));
+        refuse("length", "the length has no frame", nb::bool_(true));
       return {without_gil([&] { return certify_length(along, ts, n); }), self.named.name};
     }
-    const Reference reference = reference_named(frame, "frame", self, up);
     const auto ph = with_preimages(self.named);
+    const bool is_to_erf = ph && up.is_none() && (frame.is_none() || text(frame, "frame") == "erf");
+    const Reference reference =
+        is_to_erf ? Reference::euler_rodrigues : reference_named(frame, "frame", self, up);
     const bool is_of_one = ph && ph->path.is_curve();
     if (reference == Reference::up || (reference == Reference::frenet && !is_of_one)) {
       const PathAngle angle = reference == Reference::up

@@ -35,6 +35,7 @@ void run(const CertifyOptions& options) {
   curve.is_for_frames = !options.of_length;
   const NamedPath named = curve.read_any_path();
   const Path& path = named.path;
+  const auto ph = with_preimages(named);
   require_reference(asked, options.up, path);
   std::vector<Rational> at = options.parameters.fractions_on(named);
   if (at.empty()) at.push_back(path.end());
@@ -42,8 +43,9 @@ void run(const CertifyOptions& options) {
   if (options.of_length)
     return write(write_certificate(certify_length(path, at, options.digits), named.name));
   const auto v = options.up.chosen(path);
-  const Reference reference = reference_of(path, v, asked);
-  const auto ph = with_preimages(named);
+  // Of rational PH curves, too, which other angles are not measured from by themselves.
+  const Reference reference =
+      ph && !v && !asked ? Reference::euler_rodrigues : reference_of(path, v, asked);
   if (reference == Reference::euler_rodrigues ||
       (reference == Reference::frenet && ph && ph->path.is_curve()))
     return write(certified(ph.value(), reference, at, options.digits));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/grid_quotient.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"

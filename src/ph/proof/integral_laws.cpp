@@ -44,6 +44,11 @@ int sign_on_piece(const Polynomial& p, const Rational& from, const Rational& to)
   return *least >= 0 ? 1 : *greatest <= 0 ? -1 : 0;
 }
 
+/// What is on the grid.
+Polynomial polynomial_of(const GridPolynomial& p) {
+  return power_of_two(-p.bits) * Polynomial(std::vector<Rational>(p.terms.begin(), p.terms.end()));
+}
+
 const std::string no_line = "a straight line has no Frenet frame";
 
 }  // namespace
@@ -110,6 +115,12 @@ Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& t
   return compose(p, {(from + to) / 2, (to - from) / 2});
 }
 
+Rational sum_of_sizes(const Polynomial& p) {
+  Rational sum = 0;
+  for (const Rational& c : p.coefficients()) sum += abs(c);
+  return sum;
+}
+
 // With |1 − Su²| ≤ δ < 1 and u > 0, u√S is the root of a number between 1 − δ and 1 + δ, so that
 // N/(D√S) differs from Nu/D by |Nu/D|·δ/(1 − δ) at most, and that from p by |Nu − Dp|/|D|.
 PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start)
@@ -119,8 +130,8 @@ PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const 
       bits_(piece.rate.bits + 64 + bit_length(denominator(half_))) {
   const auto there = [&](const Polynomial& p) { return on_piece(p, start, piece.to); };
   const Polynomial D = there(f.denominator);
-  const Polynomial u = to_polynomial(piece.root);
-  const Polynomial p = to_polynomial(piece.rate);
+  const Polynomial u = polynomial_of(piece.root);
+  const Polynomial p = polynomial_of(piece.rate);
   const Rational delta = sum_of_sizes(Polynomial{1} - there(f.radicand) * u * u);
   const Rational least = 2 * D.coefficient(0) - sum_of_sizes(D);
   if (delta >= 1 || u.coefficient(0) <= 0) {

@@ -62,5 +62,7 @@ class PieceProof {
 
 /// p as a function of z.
 Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& to);
+/// Σ |coefficients|, so that |p(z)| is no greater for |z| ≤ 1.
+Rational sum_of_sizes(const Polynomial& p);
 
 }  // namespace phrame

@@ -1,4 +1,4 @@
-#include "phrame/algebra/grid_polynomial.hpp"
+#include "phrame/algebra/grid_quotient.hpp"
 
 #include <algorithm>
 
@@ -25,16 +25,6 @@ GridPolynomial on_grid(const std::vector<Integer>& series, long Q, const Rationa
 }
 
 }  // namespace
-
-Polynomial to_polynomial(const GridPolynomial& p) {
-  return power_of_two(-p.bits) * Polynomial(std::vector<Rational>(p.terms.begin(), p.terms.end()));
-}
-
-Rational sum_of_sizes(const Polynomial& p) {
-  Rational sum = 0;
-  for (const Rational& c : p.coefficients()) sum += abs(c);
-  return sum;
-}
 
 std::optional<GridQuotient> grid_quotient(const Polynomial& numerator,
                                           const Polynomial& denominator, const Polynomial& radicand,
