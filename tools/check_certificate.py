@@ -696,7 +696,7 @@ def read_of_integral(value, limits):
     TAKEN.volume = TAKEN.zeros = 0
     most, frame = limits.max_degree + 1, value.get("frame")
     some, name = poly(most), "length" if frame == "none" else "theta"
-    piece = {"to": rational, "root_bits": at_least(0, count), "root": [integer], "rate_bits": at_least(0, count), "rate": [integer]}
+    piece = {"to": rational, "root": [integer], "rate": [integer], "root_bits": at_least(0, count), "rate_bits": at_least(0, count)}
     weight = expect(lambda w: w.c and w.c[0], "it is 0 at t = 0", some)
     segment = {"x": some, "y": some, "z": some, "w": weight, "square": nonzero(some), "pieces": [piece]}
     form = {"phrame": one_of("integral-certificate/1"), "name": string, "frame": one_of("up", "frenet", "none"),
@@ -710,6 +710,7 @@ def read_of_integral(value, limits):
 
 
 def work_of_integral(P):
+    """What it takes to check it, in the units of the page."""
     total, longest = TAKEN.volume ** 2 // 63000, 0
     for C in P.segments:
         lists = [C.x, C.y, C.z, C.w, C.square]
@@ -1556,7 +1557,9 @@ class IntegralProof(Statements):
 
 
 def proof_of(C):
-    return IntegralProof(C) if hasattr(C, "frame") and hasattr(C, "segments") else PathProof(C) if hasattr(C, "segments") else Proof(C)
+    if not hasattr(C, "segments"):
+        return Proof(C)
+    return IntegralProof(C) if hasattr(C, "frame") else PathProof(C)
 
 
 def read_file(name):
@@ -1610,8 +1613,8 @@ def check(name, options):
         name = "".join(c if c.isprintable() else "?" for c in getattr(named, "name", ""))  # no line of its own
         print("curve       %s" % (name or "without a name"))
         print("sha256      %s" % hash_of(proof.curves()))
-        up = getattr(proof.C, "up", None)
-        print("frame       %s" % (getattr(proof.C, "frame", "erf") + (" (%s)" % ", ".join(map(str, up)) if up else "")))
+        up = " (%s)" % ", ".join(map(str, proof.C.up)) if hasattr(proof.C, "up") else ""
+        print("frame       %s%s" % (getattr(proof.C, "frame", "erf"), up))
     for is_proved, line in lines:
         if not (options.quiet and is_proved):
             print(line)

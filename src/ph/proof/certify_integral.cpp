@@ -107,7 +107,7 @@ IntegralCertificate without_pieces(const Path& path) {
     const RationalCurve* curve = rational_curve(path.segments()[k]);
     if (curve == nullptr)
       throw DomainError(fmt::format(
-          "certify: segment {} is given by formulas, of which no certificate tells", k));
+          "certify: segment {} is given by formulas, of which no certificate tells", k + 1));
     const Polynomial sigma = dot(curve->direction(), curve->direction());
     Polynomial root = square_root(sigma).value_or(Polynomial{1});
     if (root(0) < 0) root = -root;
