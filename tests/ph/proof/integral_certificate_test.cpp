@@ -53,7 +53,7 @@ TEST_CASE("certificate of an angle: pieces that are changed, lost or of another 
   wrong.segments.front().pieces.pop_back();
   CHECK(objections(wrong) == std::vector<std::string>{"the pieces of segment 0 end before t"});
   wrong = c;
-  wrong.segments.front().pieces.back().rate.terms.front() += 1 << 20;
+  wrong.segments.front().pieces.back().rate.terms.front() += 1L << 50;
   CHECK(objections(wrong).size() == 1);
   wrong = c;
   wrong.segments.front().pieces.front().root.terms.clear();
@@ -63,7 +63,7 @@ TEST_CASE("certificate of an angle: pieces that are changed, lost or of another 
   CHECK(objections(wrong).size() >= 2);
   wrong = c;
   wrong.frame = Reference::frenet;
-  CHECK(objections(wrong).size() == 2);
+  CHECK(objections(wrong).size() >= 2);
 }
 
 TEST_CASE("certificate of an angle: in a plane it is 0, exactly") {
