@@ -76,8 +76,10 @@
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/frame/signed_frenet.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/certify_integral.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
 #include "phrame/ph/proof/verify.hpp"
+#include "phrame/ph/proof/verify_integral.hpp"
 
 // Numbers and rational functions, likewise, errors, and what to call first where memory may not do.
 #include "phrame/algebra/error.hpp"

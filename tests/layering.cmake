@@ -22,7 +22,7 @@ set(value_header "^(algebra|answer|io/write)/\
 |^ph/curve/(corner|curve|hodograph_fraction|invariants|named|nearness|path|ph_path|quaternion|rational_curve|special_points|vector)\\.hpp$\
 |^ph/along/frame_angle\\.hpp$\
 |^ph/frame/frame_start\\.hpp$\
-|^ph/proof/(certificate|statement)\\.hpp$\
+|^ph/proof/(certificate|integral_certificate|statement)\\.hpp$\
 |^ph/sweep/(mesh|rational_surface)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")

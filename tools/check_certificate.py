@@ -246,6 +246,35 @@ def common(*polys):
     return a
 
 
+def cross(a, b):
+    """a x b"""
+    return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+
+
+def dot(a, b):
+    """a . b"""
+    return reduce(lambda x, y: x + y, (x * y for x, y in zip(a, b)))
+
+
+def size(a):
+    """The sum of the absolute values of the coefficients, no less than |a(z)| for |z| <= 1."""
+    return Fraction(sum(map(abs, a.c)), a.d)
+
+
+def on_piece(a, m, h):
+    """a(m + hz)"""
+    n, den = len(a.c) - 1, m.denominator * h.denominator
+    c = translated([x * den ** (n - k) for k, x in enumerate(a.c)], int(m * den))
+    return Poly([x * int(h * den) ** k for k, x in enumerate(c)], a.d * den ** max(n, 0))
+
+
+def sign_on_piece(a, m, h):
+    """1 or -1 where a >= 0 or a <= 0 from m - h to m + h by its Bernstein coefficients, else 0: those of a(x) in [0, 1]
+    are, but for positive factors, the coefficients of (1+s)^n a(1/(1+s))."""
+    c = translated(on_piece(a, m - h, 2 * h).c[::-1], 1)
+    return 1 if min(c) >= 0 else -1 if max(c) <= 0 else 0
+
+
 def rank(polys):
     """The dimension of the span: one of the highest degree n, and all others without their t^n."""
     polys = sorted(filter(None, polys), key=lambda a: len(a.c))
@@ -662,6 +691,63 @@ def read_of_path(value, limits):
     return P, total + sum(works)
 
 
+def read_of_integral(value, limits):
+    """The same of an integral-certificate/1."""
+    TAKEN.volume = TAKEN.zeros = 0
+    most, frame = limits.max_degree + 1, value.get("frame")
+    some, name = poly(most), "length" if frame == "none" else "theta"
+    piece = {"to": rational, "root": [integer], "rate": [integer], "root_bits": at_least(0, count), "rate_bits": at_least(0, count)}
+    weight = expect(lambda w: w.c and w.c[0], "it is 0 at t = 0", some)
+    segment = {"x": some, "y": some, "z": some, "w": weight, "square": nonzero(some), "pieces": [piece]}
+    form = {"phrame": one_of("integral-certificate/1"), "name": string, "frame": one_of("up", "frenet", "none"),
+            "segments": expect(bool, "a segment is wanted", [segment]),
+            "claims": [{"t": rational, name: decimal, "radius": bound}]}
+    P = read({**form, "up": VECTOR} if frame == "up" else form, value, "")
+    for claim, written in zip(P.claims, value["claims"]):
+        claim.value = getattr(claim, name)
+        claim.text = "|%s(%s) - %s| <= %s" % (name, claim.t, written[name], written["radius"])
+    return P, work_of_integral(P)
+
+
+def work_of_integral(P):
+    """What it takes to check it, in the units of the page."""
+    total, longest = TAKEN.volume ** 2 // 63000, 0
+    for C in P.segments:
+        lists = [C.x, C.y, C.z, C.w, C.square]
+        d, a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
+        total += 3000 * d ** 3 * (1 + a // 64) + 2 * d ** 2 * a ** 2
+        for piece in C.pieces:
+            k, b = 6 * d + len(piece.root) + len(piece.rate), max(piece.root_bits, piece.rate_bits)
+            b = max([b] + [x.bit_length() for x in piece.root + piece.rate]) + 4 * a + 3 * d * bits_of(piece.to)
+            total += k ** 2 * (b + 2000) // 40 + k * b ** 2 // 2000
+            longest = max(longest, len(piece.rate))
+    for claim in P.claims:
+        total += (bits_of(claim.t) * (1 + longest)) ** 2 // 500 + bits_of(claim.value, claim.radius) ** 2 // 1000
+        total += 1000 * (1 + len(P.segments))
+    return total
+
+
+def complete_integral(P):
+    """What is derived from X/W, and refused where that is a point."""
+    for k, C in enumerate(P.segments):
+        C.X, C.W = [C.x, C.y, C.z], C.w
+        slope = C.W.derivative()
+        C.velocity = [x.derivative() * C.W - x * slope for x in C.X]  # W^2 r'
+        if not any(C.velocity):
+            fail("/segments/%d" % k, "the curve is a single point", None)
+        C.f, C.H = direction_of(C.velocity)
+
+
+def direction_of(velocity):
+    """(f, H) with velocity = f H, H of integers without a common factor, and f > 0 for small t > 0."""
+    f = common(*velocity)
+    H = [a.over(f) for a in velocity]
+    d = reduce(lambda n, a: n * a.d // gcd(n, a.d), H, 1)
+    unit = Fraction(reduce(gcd, [x * (d // a.d) for a in H for x in a.c], 0), d)
+    unit *= 1 if next(x for x in f.c if x) > 0 else -1
+    return f * unit, [a * (1 / unit) for a in H]
+
+
 def complete(C, place):
     """With f = n W^2/d and W, which is 1 of a polynomial curve: r' = f A i A*/W^2 and r(0) are those of r = X/W."""
     C.start = getattr(C.curve, "start", [0, 0, 0])
@@ -680,11 +766,16 @@ def complete(C, place):
 def read_certificate(data, limits):
     """All that is in the file."""
     value = parsed(data)
-    is_path = isinstance(value, dict) and value.get("phrame") == "path-certificate/1"
-    C, total = read_of_path(value, limits) if is_path else read_of_curve(value, "", limits)
+    kind = value.get("phrame") if isinstance(value, dict) else None
+    is_path, is_integral = kind == "path-certificate/1", kind == "integral-certificate/1"
+    C, total = (read_of_path(value, limits) if is_path else read_of_integral(value, limits) if is_integral else
+                read_of_curve(value, "", limits))
     most = MAX_WORK * max(len(data), FULL_SIZE) ** 2 // FULL_SIZE ** 2
     if total > most and not limits.unlimited:
         raise Malformed("/: to check it is work of %d, beyond the limit %d (--unlimited)" % (total, most))
+    if is_integral:
+        complete_integral(C)
+        return C
     for k, part in enumerate(C.segments if is_path else [C]):
         complete(part, "/segments/%d" % k if is_path else "")
     return C
@@ -1336,8 +1427,139 @@ class PathProof(Statements):
         super().table(rows)
 
 
+class IntegralProof(Statements):
+    """All statements of the certificate P of a path of rational curves: that its segments are joined, and enclosures of
+    the integral of a rate N/(D sqrt(S)) on pieces, added up to angles to a frame or to lengths."""
+
+    def __init__(self, P):
+        super().__init__(P.claims)
+        self.C, self.parts, self.frame = P, P.segments, P.frame
+
+    def curves(self):
+        return [(*in_lowest_terms(C.velocity, C.W * C.W), [x(0) / C.W(0) for x in C.X]) for C in self.parts]
+
+    def is_of(self, curves):
+        require_same(self.curves(), curves)
+
+    def run(self):
+        """All statements: a list of (is proved, line)."""
+        for k, C in enumerate(self.parts):
+            names = ["%s of segment %d" % (what, k) for what in ("weight", "rate", "pieces")]
+            C.needed = names[1:] if C.W.is_constant() else names
+            if not C.W.is_constant():
+                self.state(names[0], self.weight, (), C)
+            if k:
+                self.state("joint %d" % k, self.joint, (), *self.parts[k - 1:k + 1])
+                C.needed.append("joint %d" % k)
+            self.state(names[1], self.rate, (), C)
+            self.state(names[2], self.pieces, names[1:2], C)
+        for claim in self.claims:
+            self.state(claim.text, self.claim, (), claim)
+        return self.lines
+
+    def weight(self, C):
+        """r = X/W has no pole on [0, 1]."""
+        W = C.W.over(common(C.W, C.W.derivative()))
+        require(not W.zeros(Fraction(0), Fraction(1)), "w has a zero on [0, 1]")
+
+    def joint(self, before, after):
+        """r goes on, and with an angle the frame, too; then e1 is H/|H| with the sign that goes on."""
+        require(before.W(1), "the weight of the segment before is 0 at its end")
+        end = [x(1) / before.W(1) for x in before.X]
+        require(end == [x(0) / after.W(0) for x in after.X], "the segment does not begin where the one before ends")
+        if self.frame == "none":
+            return
+        x, y = [a(1) for a in before.H], [a(0) for a in after.H]
+        require(not any(cross(x, y)), "the tangent does not go on")
+        if dot(x, y) < 0:
+            after.f, after.H = after.f * -1, [a * -1 for a in after.H]
+        if self.frame == "frenet":
+            x, y = ([a(t) for a in self.binormal(C)[1]] for C, t in ((before, 1), (after, 0)))
+            require(not any(cross(x, y)), "the Frenet frame does not go on")
+
+    def binormal(self, C):
+        """(g, B) with H x H' = g B, the parts of B coprime; found once."""
+        if not hasattr(C, "bend"):
+            b = cross(C.H, [a.derivative() for a in C.H])
+            g = common(*b)
+            C.bend = g, [a.over(g) for a in b] if g else None
+        require(C.bend[0], "a straight line has no Frenet frame")
+        return C.bend
+
+    def rate(self, C):
+        """N/(D sqrt(S)) for |H|^2 = c^2 S."""
+        H, c = C.H, C.square
+        require(c(0) > 0, "square is not positive at t = 0")
+        S = dot(H, H).over(c * c)
+        if self.frame == "none":
+            N, D = C.f * c * S, C.W * C.W
+        elif self.frame == "up":
+            v = [Poly([x.numerator], x.denominator) for x in map(Fraction, self.C.up)]
+            across = cross(v, H)
+            N, D = dot(v, H) * dot(across, [a.derivative() for a in H]) * -1, dot(across, across) * c
+        else:
+            g, B = self.binormal(C)
+            N, D = dot(B, [a.derivative().derivative() for a in H]).over(g) * c * S * -1, dot(B, B)
+        C.rate = N, D, S
+
+    def pieces(self, C):
+        """Bounds of the integral from 0 to the start of each, and from there to any t in it."""
+        C.enclosed, start, low, high = [], Fraction(0), 0, 0
+        for k, piece in enumerate(C.pieces):
+            require(start < piece.to <= 1, "piece %d is empty, or ends beyond 1" % k)
+            bounds = self.enclosure(C, k, piece, start)
+            C.enclosed.append((start, low, high, bounds))
+            start, (low, high) = piece.to, (x + y for x, y in zip((low, high), bounds(piece.to)))
+        C.enclosed.append((start, low, high, None))
+
+    def enclosure(self, C, k, piece, start):
+        """With t = m + hz, u the root and p the rate, functions of z in [-1, 1]: |1 - S u^2| <= delta makes u sqrt(S) the
+        root of a number between 1 - delta and 1 + delta, so that N/(D sqrt(S)) differs from N u/D by |N u/D| delta/(1 -
+        delta) at most, and that from p by |N u - D p|/|D|."""
+        m, h = (start + piece.to) / 2, (piece.to - start) / 2
+        N, D, S = (on_piece(a, m, h) for a in C.rate)
+        u, p = Poly(piece.root, 1 << piece.root_bits), Poly(piece.rate, 1 << piece.rate_bits)
+        delta, least = size(Poly([1]) - S * u * u), 2 * D(0) - size(D)
+        require(delta < 1 and u(0) > 0, "the root of piece %d is too far off" % k)
+        require(least > 0, "the denominator is not proved to be positive on piece %d" % k)
+        Nu = N * u
+        error = (size(Nu - D * p) + size(Nu) * delta / (1 - delta)) / least
+        sign = sign_on_piece(C.f, m, h) if self.frame == "none" else 1
+        F, grid = integral_of(p), 1 << piece.rate_bits + 64 + h.denominator.bit_length()
+
+        def bounds(t):
+            value, off = h * (F((t - m) / h) - F(Fraction(-1))) * sign, error * (t - start)
+            low, high = (value - off, value + off) if sign else (0, (size(p) + error) * (t - start))
+            return Fraction(low * grid // 1, grid), Fraction(-(-high * grid // 1), grid)
+        return bounds
+
+    def bounds(self, k, t):
+        """Of the integral along segment k from 0 to t."""
+        C = self.parts[k]
+        self.rest_on(C.needed)
+        require(t <= C.enclosed[-1][0], "the pieces of segment %d end before t" % k)
+        start, low, high, more = next(piece for piece in reversed(C.enclosed) if piece[0] <= t)
+        if start < t:
+            low, high = (x + y for x, y in zip((low, high), more(t)))
+        return low, high
+
+    def claim(self, claim):
+        """The integral from 0 to t is the sum of those along the segments."""
+        t = claim.t
+        require(0 <= t <= len(self.parts), "t is not on the path")
+        last = -(-t.numerator // t.denominator)  # so many segments, the last of them up to t
+        low, high = (sum(x) for x in zip((0, 0), *(self.bounds(k, min(Fraction(1), t - k)) for k in range(last))))
+        is_known = -claim.radius <= low - claim.value and high - claim.value <= claim.radius
+        require(is_known, "it does not follow from the pieces")
+
+    def table(self, rows):
+        raise NotProved("the angles are not those to the Euler-Rodrigues frame")
+
+
 def proof_of(C):
-    return PathProof(C) if hasattr(C, "segments") else Proof(C)
+    if not hasattr(C, "segments"):
+        return Proof(C)
+    return IntegralProof(C) if hasattr(C, "frame") else PathProof(C)
 
 
 def read_file(name):
@@ -1391,7 +1613,8 @@ def check(name, options):
         name = "".join(c if c.isprintable() else "?" for c in getattr(named, "name", ""))  # no line of its own
         print("curve       %s" % (name or "without a name"))
         print("sha256      %s" % hash_of(proof.curves()))
-        print("frame       %s" % getattr(proof.C, "frame", "erf"))
+        up = " (%s)" % ", ".join(map(str, proof.C.up)) if hasattr(proof.C, "up") else ""
+        print("frame       %s%s" % (getattr(proof.C, "frame", "erf"), up))
     for is_proved, line in lines:
         if not (options.quiet and is_proved):
             print(line)

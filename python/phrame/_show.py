@@ -148,7 +148,8 @@ def check_html(self: Any) -> str:
 def certificate_html(self: Any) -> str:
     """Certificate._repr_html_"""
     rows = [(escape(str(t)), f"{theta} ± {radius}".replace("-", "−")) for t, theta, radius in self.claims]
-    return f"<div>{_title(self.curve, 'Certificate')}{_table(rows, ('t', 'θ(t)'))}</div>"
+    what = "length" if self.is_of_length else "θ(t)"
+    return f"<div>{_title(self.curve, 'Certificate')}{_table(rows, ('t', what))}</div>"
 
 
 def body_html(self: Any) -> str:

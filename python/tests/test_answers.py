@@ -143,5 +143,34 @@ def test_certificates_of_splines():
     assert not apart.is_proved()
     with pytest.raises(phrame.DomainError, match="^curve: the segments"):
         apart.curve
-    with pytest.raises(phrame.DomainError, match="^frame: \"frenet\" is for single curves"):
-        spline.certify(frame="frenet")
+    assert spline.certify(frame="frenet", digits=20).is_proved()
+
+
+def test_certificates_of_any_curve_and_of_lengths():
+    cubic = phrame.Path.bezier([(0, 0, 0), (1, 3, -2), (4, 1, 5), (2, -3, 1)], name="cubic")
+    certificate = cubic.certify(at=["1/3", 1], digits=30)
+    assert certificate.is_proved() and not certificate.is_of_length and certificate.curve == cubic
+    assert [c[1] for c in certificate.claims] == [cubic.angle().digits(t, 30) for t in ("1/3", 1)]
+    again = phrame.Certificate.from_json(certificate.json())
+    assert again == certificate and hash(again) == hash(certificate) and repr(again) == "<Certificate of 2 angles cubic>"
+    value = json.loads(certificate.json())
+    value["claims"][0]["theta"] = "0.5"
+    (objection,) = phrame.Certificate.from_json(json.dumps(value)).objections()
+    assert objection.startswith("angle at 1/3: ")
+    assert json.loads(cubic.certify(digits=5, up=(1, 2, 3)).json())["up"] == ["1", "2", "3"]
+    assert json.loads(cubic.certify(digits=5, frame="frenet").json())["frame"] == "frenet"
+    for path in (cubic, QUINTIC):
+        length = path.certify(digits=20, length=True)
+        assert length.is_proved() and length.is_of_length and length.claims[0][1] == phrame.digits(path.length, 20)
+    assert "length" in length._repr_html_() and repr(length).startswith("<Certificate of 1 length")
+    value = json.loads(length.json())
+    value["claims"][0]["length"] = "0.5"
+    (objection,) = phrame.Certificate.from_json(json.dumps(value)).objections()
+    assert objection.startswith("length at 1: ")
+    value["segments"].append(value["segments"][0])
+    with pytest.raises(phrame.DomainError, match="^curve: the segments"):
+        phrame.Certificate.from_json(json.dumps(value)).curve
+    with pytest.raises(phrame.InputError, match="^length: the length has no frame"):
+        cubic.certify(length=True, frame="up")
+    with pytest.raises(phrame.InputError, match="^frame: \"erf\" is of PH curves"):
+        cubic.certify(frame="erf")

@@ -42,7 +42,7 @@ def test_paths_of_every_kind_are_asked_about_as_they_are():
     assert phrame.ask("info", MIXED)["arc_length"]["value"] == str(phrame.digits(MIXED.length, 17))
     assert phrame.ask("angle", MIXED, at=2)["values"][0]["theta"] == str(MIXED.angle().digits(2, 17))
     with pytest.raises(phrame.InputError, match="path: .*needs a Pythagorean-hodograph curve") as refused:
-        phrame.ask("certify", MIXED)
+        phrame.ask("prove", MIXED, at=1)
     assert refused.value.place == "path" and refused.value.value is MIXED
     with pytest.raises(phrame.InputError, match="path: it is made already"):
         phrame.ask("identify", MIXED)

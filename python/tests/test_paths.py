@@ -23,10 +23,10 @@ MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
 OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
           "squared_curvature", "torsion_function")
-OF_PH = ("erf_twist", "certify")
+OF_PH = ("erf_twist",)
 
 
-METHODS = ("certify", "json")
+METHODS = ("json",)
 
 
 def asked(path, name):
@@ -52,9 +52,6 @@ def test_there_is_one_class():
 @pytest.mark.parametrize("name", OF_ONE + OF_PH)
 def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
     for path, segment in ((CUBIC, 0), (CONIC, 0), (HELIX, 0), (MIXED, 1)):
-        if path is CONIC and name == "certify":  # of rational PH curves, too
-            assert path.certify().is_proved()
-            continue
         with pytest.raises(phrame.DomainError, match=rf"^{name}: segments\[{segment}\] is no (polynomial )?Pythagorean-hodograph curve$"):
             asked(path, name)
     asked(QUINTIC, name)

@@ -1,6 +1,10 @@
 #include "phrame/ph/proof/certify.hpp"
+
+#include <tuple>
+
 #include "phrame/cli/command.hpp"
 #include "phrame/io/write/certificate.hpp"
+#include "phrame/ph/proof/certify_integral.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
 
 namespace phrame::inline v0::cli {
@@ -9,24 +13,43 @@ namespace {
 struct CertifyOptions {
   CurveOptions curve;
   Parameters parameters;
-  std::string frame = "erf";
+  std::string frame;
+  UpOption up;
+  bool of_length = false;
   long digits = 17;
 };
 
+/// Of a path of PH curves, to the Euler–Rodrigues frame or, of one curve, to the Frenet frame.
+std::string certified(const NamedPhPath& named, Reference reference,
+                      const std::vector<Rational>& at, long digits) {
+  const auto& [path, name] = std::tie(named.path, named.name);
+  if (!path.is_curve()) return write_certificate(certify(path, at, digits), name);
+  return write_certificate(certify(path.segments().front(), reference, at, digits), name,
+                           named.near);
+}
+
 void run(const CertifyOptions& options) {
-  const auto reference = chosen_reference(options.frame);
-  auto [named, at] = options.curve.read_path_at(options.parameters);
-  const PhPath& path = named.path;
+  std::optional<Reference> asked;
+  if (!options.frame.empty()) asked = chosen_reference(options.frame);
+  CurveOptions curve = options.curve;
+  curve.is_for_frames = !options.of_length;
+  const NamedPath named = curve.read_any_path();
+  const Path& path = named.path;
+  const auto ph = with_preimages(named);
+  require_reference(asked, options.up, path);
+  std::vector<Rational> at = options.parameters.fractions_on(named);
   if (at.empty()) at.push_back(path.end());
-  if (path.is_curve()) {
-    write_output(options.curve.output,
-                 write_certificate(certify(path.segments().front(), reference, at, options.digits),
-                                   named.name, named.near));
-    return;
-  }
-  if (reference == Reference::frenet) fail_for_spline("--frame", options.frame);
-  write_output(options.curve.output,
-               write_certificate(certify(path, at, options.digits), named.name));
+  const auto write = [&](const std::string& text) { write_output(options.curve.output, text); };
+  if (options.of_length)
+    return write(write_certificate(certify_length(path, at, options.digits), named.name));
+  const auto v = options.up.chosen(path);
+  // Of rational PH curves, too, which other angles are not measured from by themselves.
+  const Reference reference =
+      ph && !v && !asked ? Reference::euler_rodrigues : reference_of(path, v, asked);
+  if (reference == Reference::euler_rodrigues ||
+      (reference == Reference::frenet && ph && ph->path.is_curve()))
+    return write(certified(ph.value(), reference, at, options.digits));
+  write(write_certificate(certify(angle_to(v, path, asked), at, options.digits), named.name));
 }
 
 }  // namespace
@@ -38,16 +61,23 @@ void add_certify(Program& program) {
   command.writes("a certificate in JSON", {"json"});
   options->parameters.add_to(command);
   add_digits(command, options->digits);
-  add_reference(command, options->frame,
-                "what the angle is measured from: erf (default) or frenet");
+  command.add_choice(
+      "--frame", options->frame, {"erf", "frenet", "up"},
+      "what the angle is measured from: erf (default of PH curves, which alone have\n"
+      "it), up (default of others) or frenet");
+  options->up.add_to(command,
+                     "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
+  command.add_flag("--length", options->of_length, "the length from 0 to t instead of the angle");
+  command.not_with({"--frame", "--up"}, {"--length"});
   command.set_notes(
-      "Without --at and --samples the angle at the end. phrame verify checks the certificate, and "
-      "so\n"
-      "does tools/check_certificate.py, which needs Python and nothing else. That of a spline is\n"
-      "made of those of its segments; it has no corners.\n"
+      "Without --at and --samples that at the end. phrame verify checks the certificate, and so\n"
+      "does tools/check_certificate.py, which needs Python and nothing else. Of angles to the\n"
+      "Euler-Rodrigues frame that of a spline is made of those of its segments. Angles are of\n"
+      "paths without corners; of curves by formulas there is no certificate.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
-      "  phrame certify curve.json --frame frenet | phrame verify -");
+      "  phrame certify curve.json --frame frenet | phrame verify -\n"
+      "  phrame certify bezier.svg --length --digits 30");
   command.does(options, run);
 }
 

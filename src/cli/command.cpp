@@ -270,27 +270,16 @@ std::pair<NamedCurve, std::vector<Rational>> CurveOptions::read_curve_at(
 
 std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
     const Parameters& asked) const {
+  if (asked.kind() != ParameterKind::t) {
+    const NamedPath named = read_any_path();
+    std::vector<Rational> at = asked.fractions_on(named);
+    return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(at)};
+  }
   std::vector<Rational> at = asked.given();
-  if (asked.kind() == ParameterKind::t) {
-    NamedPhPath named = read_path_with_preimages();
-    for (long k = 0; k < asked.samples; ++k)
-      at.push_back(named.path.end() * Rational(k, asked.samples - 1));
-    return {std::move(named), std::move(at)};
-  }
-  const NamedPath named = read_any_path();
-  const Parametrization along = asked.on(named);
-  std::vector<Rational> ts;
-  for (const ParameterPoint& point : along.points(at, asked.samples)) {
-    const Real t = parameter(point.at);
-    if (!t.exact())
-      throw InputError(
-          "--by",
-          fmt::format(
-              "the t of the place {} is irrational, and this command takes t that are fractions",
-              approximate(point.value.enclose(64))));
-    ts.push_back(*t.exact());
-  }
-  return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(ts)};
+  NamedPhPath named = read_path_with_preimages();
+  for (long k = 0; k < asked.samples; ++k)
+    at.push_back(named.path.end() * Rational(k, asked.samples - 1));
+  return {std::move(named), std::move(at)};
 }
 
 NamedPhPath CurveOptions::read_path() const {
@@ -433,6 +422,26 @@ Parametrization Parameters::on(const NamedPath& named) const {
 }
 
 std::vector<Rational> Parameters::given() const { return parse_list_option("--at", at); }
+
+std::vector<Rational> Parameters::fractions_on(const NamedPath& named) const {
+  std::vector<Rational> ts = given();
+  if (kind() == ParameterKind::t) {
+    for (long k = 0; k < samples; ++k) ts.push_back(named.path.end() * Rational(k, samples - 1));
+    return ts;
+  }
+  std::vector<Rational> found;
+  for (const ParameterPoint& point : on(named).points(ts, samples)) {
+    const Real t = parameter(point.at);
+    if (!t.exact())
+      throw InputError(
+          "--by",
+          fmt::format(
+              "the t of the place {} is irrational, and this command takes t that are fractions",
+              approximate(point.value.enclose(64))));
+    found.push_back(*t.exact());
+  }
+  return found;
+}
 
 std::vector<std::string> split(const std::vector<std::string>& lists) {
   std::vector<std::string> parts;

@@ -108,6 +108,8 @@ struct Parameters {
   /// Throws InputError where it is by a parameter that the path does not have.
   Parametrization on(const NamedPath& named) const;
   std::vector<Rational> given() const;  ///< of --at, in that order
+  /// All of them as values of t. Throws InputError where one is no fraction.
+  std::vector<Rational> fractions_on(const NamedPath& named) const;
 };
 
 /// The parts of lists separated by commas, in order, without blanks around them; an empty part is a

@@ -14,9 +14,11 @@
 #include "phrame/io/write/names.hpp"
 #include "phrame/io/write/sha256.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/check_table.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
 #include "phrame/ph/proof/statement.hpp"
+#include "phrame/ph/proof/verify_integral.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -31,40 +33,70 @@ struct VerifyOptions {
   TextLength length;
 };
 
-/// The curves of a certificate, one behind the other.
+/// The exact forms of the curves of a certificate, one behind the other.
+std::string exact_form_of(const std::vector<Curve>& curves) {
+  std::string text;
+  for (const Curve& curve : curves) text += exact_form(curve);
+  return text;
+}
 std::vector<Curve> curves_of(const Certificate& c) { return {c.curve}; }
 std::vector<Curve> curves_of(const PathCertificate& c) {
   std::vector<Curve> curves;
   for (const Certificate& segment : c.segments) curves.push_back(segment.curve);
   return curves;
 }
-
-std::string exact_form_of(const std::vector<Curve>& curves) {
+std::string exact_form_of(const Certificate& c) { return exact_form_of(curves_of(c)); }
+std::string exact_form_of(const PathCertificate& c) { return exact_form_of(curves_of(c)); }
+std::string exact_form_of(const IntegralCertificate& c) {
   std::string text;
-  for (const Curve& curve : curves) text += exact_form(curve);
+  for (const IntegralSegment& s : c.segments) text += exact_form(s.position, s.weight);
   return text;
 }
 
-Reference reference_of(const Certificate& c) { return c.reference; }
-Reference reference_of(const PathCertificate&) { return Reference::euler_rodrigues; }
+std::string frame_of(const Certificate& c) { return name_of(c.reference); }
+std::string frame_of(const PathCertificate&) { return name_of(Reference::euler_rodrigues); }
+std::string frame_of(const IntegralCertificate& c) {
+  if (c.frame == Reference::up) return "up " + abbreviated(c.up);
+  return c.frame ? name_of(*c.frame) : "none";
+}
 
-/// That the certificate is of the curves in a file. Euler–Rodrigues frames are the same but for a
-/// constant turn where h/σ is.
-Statement check_curves(const std::vector<Curve>& own, Reference reference, const std::string& path,
-                       const CurveLimits& limits) {
+std::string other_curve(const std::string& exact_form) {
+  return "that one has sha256 " + sha256(exact_form);
+}
+
+/// Why the certificate is not of the curves in a file, or "". Euler–Rodrigues frames are the same
+/// but for a constant turn where h/σ is.
+template <class C>
+std::string objection_to_curves(const C& c, const CurveOptions& file) {
+  const std::vector<Curve> own = curves_of(c);
+  const std::vector<Curve> other = file.read_path_with_preimages().path.segments();
+  if (exact_form_of(other) != exact_form_of(own)) return other_curve(exact_form_of(other));
+  const bool is_to_erf = frame_of(c) == name_of(Reference::euler_rodrigues);
+  const bool is_same =
+      !is_to_erf || std::ranges::equal(other, own, [](const Curve& a, const Curve& b) {
+        return rate_to_erf(a.preimage()) == rate_to_erf(b.preimage());
+      });
+  return is_same ? "" : "its preimage, and so its Euler-Rodrigues frame, is another one";
+}
+std::string objection_to_curves(const IntegralCertificate& c, const CurveOptions& file) {
+  std::string other;
+  const Path path = file.read_any_path().path;
+  for (const Segment& segment : path.segments()) {
+    const Curve* ph = ph_curve(segment);
+    const RationalCurve* curve = rational_curve(segment);
+    if (curve == nullptr) return "that one has a segment by formulas";
+    other += ph != nullptr ? exact_form(*ph) : exact_form(curve->numerator(), curve->weight());
+  }
+  return other == exact_form_of(c) ? "" : other_curve(other);
+}
+
+template <class C>
+Statement check_curves(const C& c, const std::string& path, const CurveLimits& limits) {
   CurveOptions file;
   file.path = path;
   file.limits = limits;
-  const std::vector<Curve> other = file.read_path_with_preimages().path.segments();
-  std::string objection;
-  if (exact_form_of(other) != exact_form_of(own))
-    objection = "that one has sha256 " + sha256(exact_form_of(other));
-  else if (reference == Reference::euler_rodrigues &&
-           !std::ranges::equal(other, own, [](const Curve& a, const Curve& b) {
-             return rate_to_erf(a.preimage()) == rate_to_erf(b.preimage());
-           }))
-    objection = "its preimage, and so its Euler-Rodrigues frame, is another one";
-  return {"curve of " + path, objection};
+  file.is_for_frames = false;
+  return {"curve of " + path, objection_to_curves(c, file)};
 }
 
 /// The rows of a table, as phrame frames writes it. Throws InputError.
@@ -90,15 +122,17 @@ std::vector<std::vector<Rational>> read_table(const std::string& text) {
   return rows;
 }
 
+std::string objection_to_table(const IntegralCertificate&,
+                               const std::vector<std::vector<Rational>>&) {
+  return "the angles are not those to the Euler-Rodrigues frame";
+}
+
 /// Of a curve or a path.
 template <class Named>
 void check(const Named& named, const CertificateLimits& limits, const VerifyOptions& options) {
   const auto& [name, certificate] = named;
-  const std::vector<Curve> curves = curves_of(certificate);
-  const Reference reference = reference_of(certificate);
   std::vector<Statement> statements;
-  if (options.curve)
-    statements.push_back(check_curves(curves, reference, *options.curve, limits.curve));
+  if (options.curve) statements.push_back(check_curves(certificate, *options.curve, limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
   if (options.table) {
     const std::string rows = read_file(*options.table);
@@ -111,7 +145,7 @@ void check(const Named& named, const CertificateLimits& limits, const VerifyOpti
   options.length.write(
       options.output, fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
                                   name.empty() ? "without a name" : abbreviated(name, longest_name),
-                                  sha256(exact_form_of(curves)), name_of(reference)) +
+                                  sha256(exact_form_of(certificate)), frame_of(certificate)) +
                           to_text(statements));
   if (!std::all_of(statements.begin(), statements.end(),
                    [](const Statement& statement) { return statement.is_proved(); }))

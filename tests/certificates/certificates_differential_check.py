@@ -39,6 +39,14 @@ RATIONAL = [  # an arc of a circle, and a line by 1 + t^2 over 1 + t^2
     (*TWISTED, "erf"), (*TWISTED, "frenet"),
     ({"u": ["1", "-1"], "v": ["0"], "p": ["0"], "q": ["1", "1"]}, {"numerator": ["1"], "denominator": ["1", "0", "2", "0", "1"]}, "frenet"),
     ({"u": ["1"], "v": ["0", "1"], "p": ["0"], "q": ["0"]}, {"numerator": ["1"], "denominator": ["1", "0", "1"]}, "erf")]
+CUBIC = {"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 3, -2], [4, 1, 5], [2, -3, 1]]}
+CUSP = {"phrame": "curve/1", "basis": "power", "position": {"x": [0, -1, 0, 2], "y": [0, 0, -1, 0, 3], "z": [0, 1, 0, -2]}}  # at 1/sqrt(6)
+INTEGRALS = [
+    (CUBIC, ["--at", "1/3,1", "--digits", "5"]), (CUBIC, ["--frame", "frenet", "--digits", "9"]), (CUBIC, ["--length", "--digits", "5"]),
+    ({**CUBIC, "weights": [1, 2, 1, 3]}, ["--digits", "5"]), ({**CUBIC, "weights": [1, 2, 1, 3]}, ["--length", "--digits", "5"]),
+    (CUSP, ["--length", "--digits", "8"]),
+    ({"phrame": "spline/1", "segments": [CUBIC, {"control_points": [[2, -3, 1], [0, -7, -3], [1, 1, 1]]}]}, ["--at", "1/2,3/2,2", "--digits", "5"]),
+    ({"phrame": "curve/1", "basis": "power", "preimage": QUINTIC}, ["--length", "--at", "1/2,1", "--digits", "5"])]
 TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
          "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "9" * 7000, "1/" + "7" * 200]
 VALUES = [None, True, False, 0, 1, -1, 2, 1000000, 1000001, 10 ** 30, 0.5, 1e5, [], {}, [[]], ["1"], ["0"], ["1", "1"], ["0", "0", "1"],
@@ -57,6 +65,9 @@ def honest():
     for path, at in (("examples/curves/closed-spline.json", "1/3,5/2,4"), ("tests/data/rational-path.json", "1/3,5/2,3")):
         run = subprocess.run([PROGRAM, "certify", ROOT / path, "--at", at, "--digits", "12"], capture_output=True, text=True, check=True)
         yield {**json.loads(run.stdout), "name": "p"}
+    for curve, arguments in INTEGRALS:
+        run = subprocess.run([PROGRAM, "certify", "-", *arguments], input=json.dumps(curve), capture_output=True, text=True, check=True)
+        yield {**json.loads(run.stdout), "name": "i"}
 
 
 def places(value, path=()):
@@ -132,6 +143,8 @@ def product(a, b):
 def with_factor(certificate, a):
     """The same curve with the weight a W: the positions times a, the hodograph times a^2."""
     for part in certificate.get("segments", [certificate]):
+        if "pieces" in part:
+            part.update({key: product(part[key], a) for key in "xyzw"})
         if "position" in part:
             part["position"] = {key: product(x, a) for key, x in part["position"].items()}
             part["hodograph"] = [product(product(x, a), a) for x in part["hodograph"]]
@@ -152,6 +165,10 @@ def candidate(originals, chance):
     return data
 
 
+PIECE = ("segments", 0, "pieces", 0)
+PLACES_OF_INTEGRALS = [("frame",), ("up",), ("up", 0), ("segments",), ("segments", 0), ("segments", 0, "x"), ("segments", 0, "w"), ("segments", 0, "square"),
+                       ("segments", 0, "square", 0), ("segments", 0, "pieces"), PIECE, *((*PIECE, key) for key in ("to", "root_bits", "root", "rate_bits", "rate")),
+                       (*PIECE, "root", 0), (*PIECE, "rate", 1), ("claims", 0, "t"), ("claims", 0, "theta"), ("claims", 0, "radius")]
 PLACES = [("position",), ("position", "w"), ("position", "w", 0), ("position", "x"), ("position", "z", 0), ("curve", "multiplier"),
           ("curve", "multiplier", "numerator"), ("curve", "multiplier", "denominator"), ("curve", "multiplier", "denominator", 0)]
 
@@ -193,7 +210,7 @@ def by_program(paths):
 
 def statements(text):
     """The statements, without the reasons why some are not proved."""
-    return [re.sub(r"^not proved  ((?:segment \d+: )?(?:decision \w+: \w+|\|theta.*?\| <= [^:]*|[^:]*)):.*", r"\1", line).replace("proved      ", "", 1)
+    return [re.sub(r"^not proved  ((?:segment \d+: )?(?:decision \w+: \w+|\|(?:theta|length).*?\| <= [^:]*|[^:]*)):.*", r"\1", line).replace("proved      ", "", 1)
             for line in text.splitlines() if line.startswith(("proved", "not proved"))]
 
 
@@ -211,7 +228,8 @@ def main():
     # Each with a seed of its own, so that one can be tried again.
     changed = (candidate(originals, random.Random(options.seed * 10 ** 9 + k)) for k in range(options.number))
     with tempfile.TemporaryDirectory() as folder:
-        texts = chain(with_each_text_of_polynomial(originals[0]), with_each_text(originals[2 * len(CURVES)], PLACES))
+        texts = chain(with_each_text_of_polynomial(originals[0]), with_each_text(originals[2 * len(CURVES)], PLACES),
+                      with_each_text(originals[-len(INTEGRALS)], PLACES_OF_INTEGRALS))
         for number, data in enumerate(chain(changed, islice(texts, 0, None, options.every))):
             path = Path(options.keep or folder) / ("%d.cert" % number)
             path.write_bytes(data)

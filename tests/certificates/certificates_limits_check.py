@@ -134,6 +134,7 @@ def bad():
     yield from ((name, changed(change)) for name, change in changes.items())
     yield from (("curve: " + name, changed(set_at(["curve"], c))) for name, c in curves.items())
     yield from rational()
+    yield from integrals()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
@@ -171,6 +172,56 @@ def rational():
     yield "weight: no quotient", changed(no_quotient, BASE_ERF)
     for size in (10 ** 900, 10 ** 2000):
         yield "multiplier: close zeros of degree 4", changed(lambda c: c.update(curve=curve([[1], [0], [0], [0]], mignotte(4, size))), BASE_ERF)
+
+
+def integral_of(f):
+    return ["0"] + [str(Fraction(x) / (k + 1)) for k, x in enumerate(f)]
+
+
+def integrals():
+    """Of curves that are not PH, and of lengths."""
+    cubic = {"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 3, -2], [4, 1, 5], [2, -3, 1]]}
+    base, length = (json.loads(certified(cubic, "--digits", "9", *more)) for more in ([], ["--length"]))
+    piece = base["segments"][0]["pieces"][0]
+    long = str(10 ** 18000 + 1)
+
+    def segment(**values):
+        return changed(lambda c: c["segments"][0].update(values), base)
+
+    def of_piece(**values):
+        return changed(lambda c: c["segments"][0]["pieces"][0].update(values), base)
+
+    def many(n, size):
+        """Rational segments one behind the other, each a closed curve."""
+        def change(c):
+            closed = {"x": texts([0, *some(n), 0]), "y": texts([0, *some(n)]), "z": texts([0, *some(n)]), "w": texts([1, *map(abs, some(n))]), "square": ["1"], "pieces": []}
+            for key in "xyz":
+                closed[key][-1] = str(-sum(map(int, closed[key][:-1])))
+            c.update(frame="frenet", segments=[closed] * size)
+            del c["up"]
+        return changed(change, base)
+    close = mignotte(30, 10 ** 30)
+    yield from {
+        "integral: degree 1000": segment(x=texts(some(1001)), y=texts(some(1001))), "integral: degree 60": segment(x=texts(some(61)), y=texts(some(61))),
+        "integral: long coefficients": segment(x=["0", long, long], y=["1", "1/" + long[::-1]]), "integral: long square": segment(square=[long]),
+        "integral: root of 18000 terms": of_piece(root=["1"] * 18000), "integral: root of 3000 terms": of_piece(root=["1"] * 3000),
+        "integral: root of 900 terms": of_piece(root=["1"] + ["0"] * 900, rate=["3"] * 900),
+        "integral: long root": of_piece(root=[long] * 5, root_bits=1), "integral: long rate": of_piece(rate=[str(3 ** 6000)] * 20),
+        "integral: bits": of_piece(root_bits=1000000), "integral: bits of the rate": of_piece(rate_bits=1000000),
+        "integral: 100000 bits": of_piece(root_bits=100000, root=["1" + "0" * 30000]), "integral: long end": of_piece(to="1/" + long),
+        "integral: end of 1000 digits": of_piece(to="1/" + "7" * 1000),
+        "integral: many pieces": changed(lambda c: c["segments"][0].update(pieces=[{"to": "%d/1500" % k, "root_bits": 0, "root": ["1"], "rate_bits": 0, "rate": []}
+                                                                                    for k in range(1, 1200)]), base),
+        "integral: many pieces of many terms": changed(lambda c: c["segments"][0].update(pieces=[dict(piece, to="%d/90" % k) for k in range(1, 80)]), base),
+        "integral: long t": changed(all_claims(t="1/3" + "7" * 20000), base), "integral: t of 500 digits": changed(all_claims(t="1/3" + "7" * 500), base),
+        "integral: radius 1e-9800": changed(all_claims(radius="1e-9800"), base), "integral: theta of 30000 digits": changed(all_claims(theta="0." + "3" * 30000), base),
+        "integral: many claims": changed(lambda c: c.update(claims=[dict(c["claims"][0], t="%d/1501" % k) for k in range(1, 1400)]), base),
+        "integral: many segments": many(10, 340), "integral: many short segments": many(3, 700),
+        "integral: close zeros of the weight": segment(w=texts(mignotte(12, 10 ** 100))),
+        "integral: close cusps": changed(lambda c: c["segments"][0].update(x=integral_of(close), y=integral_of([2 * x for x in close]), z=integral_of([0, *close])), length)}.items()
+    random_points = {"phrame": "curve/1", "control_points": [some(3, 99) for _ in range(41)]}
+    yield "integral: degree 40", certified(random_points, "--digits", "17", "--length")
+    yield "integral: degree 40, angle", certified({**random_points, "control_points": random_points["control_points"][:21]}, "--digits", "17", "--frame", "frenet")
 
 
 # Every day of every third one.

@@ -96,6 +96,30 @@ TEST_CASE("certify and verify: an arc in space and the exact offset of a PH curv
   check_failure(here.run("certify arc.json --at 2"), 3, "t = 2 is outside [0, 1]");
 }
 
+TEST_CASE("certify and verify: curves that are not PH, and lengths") {
+  const Workshop here;
+  here.write("cubic.json", R"({"control_points": [[0, 0, 0], [1, 3, -2], [4, 1, 5], [2, -3, 1]],
+      "name": "cubic", "phrame": "curve/1"})");
+  CHECK(here.run("certify cubic.json --at 1/3,1 --digits 30 -o angle.cert").status == 0);
+  const Run angle = here.run("verify angle.cert --curve cubic.json");
+  check_success(angle);
+  CHECK(contains(angle.out, "\nframe       up ("));
+  CHECK(contains(angle.out, "\nproved      pieces of segment 0\n"));
+  CHECK(angle.out.ends_with("all 5 statements are proved\n"));
+  CHECK(here.run("certify quintic.json --length -o length.cert").status == 0);
+  const Run length = here.run("verify length.cert --curve quintic.json");
+  check_success(length);
+  CHECK(contains(length.out, "\nproved      |length(1) - "));
+  const Run other = here.run("verify length.cert --curve cubic.json");
+  CHECK(other.status == 1);
+  CHECK(contains(other.out, ": that one has sha256 "));
+  here.write("frames.csv", "t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z\n");
+  CHECK(contains(here.run("verify angle.cert --table frames.csv").out,
+                 "the angles are not those to the Euler-Rodrigues frame"));
+  check_failure(here.run("certify cubic.json --length --frame up"), 2, "--frame");
+  check_failure(here.run("certify cubic.json --frame erf"), 2, "--frame: \"erf\" needs a");
+}
+
 TEST_CASE("certify and verify: bad input is refused with its place") {
   const Workshop here;
   check_failure(here.run("certify line.json --frame frenet"), 3, "straight line");
@@ -103,8 +127,8 @@ TEST_CASE("certify and verify: bad input is refused with its place") {
   here.write("spline.json", R"({"phrame": "spline/1", "segments": []})");
   check_failure(here.run("certify spline.json"), 2, "spline.json:/segments: a spline has at least");
   here.write("closed.json", bytes_of(root("/examples/curves/closed-spline.json")));
-  check_failure(here.run("certify closed.json --frame frenet"), 2,
-                "--frame: \"frenet\" is for single");
+  check_failure(here.run("certify closed.json --frame frenet"), 3,
+                "Frenet frame: at the joint t = 1 it jumps");
   check_failure(here.run("certify closed.json --at 9"), 3, "t = 9 is outside [0, 4]");
   check_failure(here.run("verify quintic.json"), 2,
                 "quintic.json:/phrame: the format is \"certificate/1\", not \"curve/1\"");

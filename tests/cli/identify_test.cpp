@@ -75,7 +75,7 @@ TEST_CASE("identify: a curve that is not PH has status 1 and a reason") {
                 "no PH curve: |r'| is no polynomial: |r'|^2 has the factor 4*t^2 + 1");
   CHECK_FALSE(fs::exists(here.file("ph.json")));
   // To commands that need a PH curve it is bad input.
-  check_failure(here.run("certify parabola.json"), 2,
+  check_failure(here.run("prove parabola.json --at 1"), 2,
                 "phrame: parabola.json:/control_points: this is no PH curve");
 }
 
@@ -161,7 +161,7 @@ TEST_CASE(
   CHECK(contains(refused.out, "not a PH curve over ℚ"));
   CHECK(contains(refused.out, "--near 1e-1"));
   CHECK(contains(refused.out, "takes the PH curve"));
-  check_failure(here.run("certify near.json"), 2, "; --near 1e-1");
+  check_failure(here.run("prove near.json --at 1"), 2, "; --near 1e-1");
 
   const Run text = here.run("identify near.json --near 1e-15");
   check_success(text);
@@ -196,8 +196,8 @@ TEST_CASE("--near: other commands take the curve near the points, and say so") {
     CHECK(contains(run.err, "phrame: near.json: in its place a PH curve at most "));
     CHECK(contains(run.err, "rotation-minimizing frames differ by at most "));
   }
-  for (const char* command : {"prove --at 1", "certify"})
-    check_failure(here.run(std::string(command) + " near.json"), 2, "this is no PH curve");
+  check_failure(here.run("prove near.json --at 1"), 2, "this is no PH curve");
+  CHECK(contains(here.run("certify near.json").err, "with --near 1e-"));
   // Each answer in JSON says what identify says of the curve that stands there.
   here.write("frames.csv", "t,f2x,f2y,f2z\n0,0,1,0\n1,0,1,0\n");
   here.write("lines.jsonl", R"({"curve": )" + test::bytes_of(here.file("near.json")) + "}\n");

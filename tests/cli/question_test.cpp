@@ -239,7 +239,7 @@ TEST_CASE("question: what is wrong is told as the command tells it, at its place
       {{{"question", "totals"}, {"curve", 7}},
        2,
        "/curve: an object, or a file as text, is wanted, not the number 7"},
-      {{{"question", "certify"}, {"curve", parabola}},
+      {{{"question", "prove"}, {"at", 1}, {"curve", parabola}},
        2,
        "/curve/control_points: this is no PH curve"},
       {{{"question", "frames"}}, 2, "/: --samples N or --at t,… is needed"},

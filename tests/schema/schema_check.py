@@ -139,8 +139,8 @@ def check_command_line(folder):
         ask("frames", curve, "--samples", "4", "--frame", "frenet,rmf", "--skip-undefined", "--format", "json")
         ask("interpolate", curve, "--period", "1/4", "--feed", "1", "--format", "json")
         ask("sweep", curve, "--profile", "polygon:3,1/9", "--exact", "--format", "json")
-        for frame in ("erf", "frenet"):
-            ask("certify", curve, "--frame", frame)
+        for frame in (["--frame", "erf"], ["--frame", "frenet"], ["--frame", "up"], ["--length"]):
+            ask("certify", curve, "--digits", "9", *frame)
     ask("certify", ROOT / "examples/curves/closed-spline.json", "--at", "1/2,3")
     ask("certify", ROOT / "tests/data/rational-path.json", "--at", "1/2,3")
     for name, text in (("corner", CORNER), ("plane", PLANE), ("turn", TURN), ("there", THERE_AND_BACK)):

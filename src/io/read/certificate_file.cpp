@@ -3,85 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "phrame/algebra/as_written.hpp"
 #include "phrame/algebra/error.hpp"
-#include "phrame/io/read/json_node.hpp"
+#include "phrame/io/read/integral_certificate.hpp"
 #include "phrame/io/write/names.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
 using Kind = JsonNode::Kind;
-
-// The limits of docs/certificate.md.
-constexpr long most_count = 1'000'000;
-constexpr long greatest_exponent = 10'000;
-constexpr long most_work = 2'000'000'000;
-constexpr std::size_t full_size = 100'000;
-
-bool take_one(std::string_view& text, char c) {
-  if (text.empty() || text.front() != c) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-bool take_digits(std::string_view& text) {
-  const std::size_t length = std::min(text.find_first_not_of("0123456789"), text.size());
-  text.remove_prefix(length);
-  return length > 0;
-}
-
-/// -?d+(/d+)?
-bool is_exact(std::string_view text) {
-  take_one(text, '-');
-  return take_digits(text) && (!take_one(text, '/') || take_digits(text)) && text.empty();
-}
-
-/// -?d+(.d+)?(e-?d+)?; the exponent is left in `text`.
-bool is_decimal(std::string_view& text) {
-  take_one(text, '-');
-  if (!take_digits(text) || (take_one(text, '.') && !take_digits(text))) return false;
-  if (!take_one(text, 'e')) return text.empty();
-  std::string_view rest = text;
-  take_one(rest, '-');
-  return take_digits(rest) && rest.empty();
-}
-
-/// A JSON number, an integer in {least, …, largest}.
-long read_count(const JsonNode& node, long least, long largest) {
-  node.require(Kind::number, "an integer without quotes");
-  if (node.text().find_first_not_of("-0123456789") != std::string::npos)
-    node.fail(abbreviated(node.text()) + " is not an integer");
-  const Integer n(numerator(node.number()));
-  if (n < least || n > largest)
-    node.fail(fmt::format("{} is not in {} … {}", abbreviated(n.str()), least, largest));
-  return static_cast<long>(n);
-}
-
-/// read(item) for each item of an array.
-template <class Read>
-auto read_list(const JsonNode& node, Read read) {
-  node.require(Kind::array, "an array");
-  std::vector<decltype(read(node))> list;
-  for (std::size_t k = 0; k < node.size(); ++k) list.push_back(read(node.item(k)));
-  return list;
-}
-
-/// A decimal number as it is written.
-std::string read_decimal(const JsonNode& node) {
-  const std::string& text = node.string();
-  std::string_view exponent = text;
-  if (!is_decimal(exponent))
-    node.fail(fmt::format("a decimal number is wanted, not \"{}\"", abbreviated(text)));
-  constexpr std::size_t longest = 10;
-  if (exponent.size() > longest ||
-      (!exponent.empty() && std::abs(std::stol(std::string(exponent))) > greatest_exponent))
-    node.fail(fmt::format("exponents are limited to {}", greatest_exponent));
-  node.number();  // which refuses what is too long
-  return text;
-}
 
 TurnCount read_turn(const JsonNode& node) {
   node.require_known_keys({"index", "signs"});
@@ -91,13 +22,12 @@ TurnCount read_turn(const JsonNode& node) {
     return text.string();
   });
   if (signs.size() != 2) node.at("signs").fail("the signs at 0 and at t are wanted");
-  return {read_count(node.at("index"), -most_count, most_count), signs[0], signs[1]};
+  return {read_count(node.at("index"), -most_certificate_count, most_certificate_count), signs[0],
+          signs[1]};
 }
 
 AngleClaim read_claim(const JsonNode& node) {
-  AngleClaim claim{{}, read_decimal(node.at("theta")), read_decimal(node.at("radius")), {}};
-  if (claim.radius.front() == '-') node.at("radius").fail("a radius has no sign");
-  return claim;
+  return {{}, read_decimal(node.at("theta")), read_radius(node.at("radius")), {}};
 }
 
 /// The answer to a question. Where it is yes the witness stands beside it, under `keys`.
@@ -107,15 +37,6 @@ bool read_answer(const JsonNode& node, std::vector<std::string_view> keys) {
   keys.emplace_back("answer");
   node.require_known_keys(keys);
   return answer;
-}
-
-/// The bits of the longest of the least common denominator d and the coefficients of d·p.
-long written_bits(const Polynomial& p) {
-  const Integer d = denominator(p);
-  long bits = bit_length(d);
-  for (const Rational& c : p.coefficients())
-    bits = std::max(bits, bit_length(Integer(numerator(c) * (d / denominator(c)))));
-  return bits;
 }
 
 /// The curve of a certificate as it is written.
@@ -223,10 +144,7 @@ class CertificateReader {
   }
 
   Rational exact(const JsonNode& node) {
-    if (!is_exact(node.string()))
-      node.fail(
-          fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(node.text())));
-    Rational x = node.number();
+    Rational x = read_exact(node);
     volume_ += bits_of(x);
     return x;
   }
@@ -362,7 +280,7 @@ class CertificateReader {
 
   StatedPoint point(const JsonNode& node) {
     node.require_known_keys({"t", "order"});
-    const long order = read_count(node.at("order"), 1, most_count);
+    const long order = read_count(node.at("order"), 1, most_certificate_count);
     const JsonNode t = node.at("t");
     if (!t.is(Kind::object)) {
       const Rational at = exact(t);
@@ -437,29 +355,6 @@ Reference read_frame(const JsonNode& node) {
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
-/// What may be checked, in units of docs/certificate.md.
-class WorkLimit {
- public:
-  WorkLimit(std::size_t bytes, bool is_limited) : is_limited_(is_limited) {
-    const Integer size = static_cast<long>(std::max(bytes, full_size));
-    const Integer full = static_cast<long>(full_size);
-    most_ = Integer(most_work) * size * size / (full * full);
-  }
-
-  /// Of a part of the file.
-  void add(const JsonNode& part, const Integer& work) {
-    work_ += work;
-    if (is_limited_ && work_ > most_)
-      part.fail(fmt::format("to check it is work of {}, beyond the limit {} (--unlimited)",
-                            work_.str(), most_.str()));
-  }
-
- private:
-  bool is_limited_;
-  Integer most_;
-  Integer work_ = 0;
-};
-
 NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, WorkLimit& limit) {
   if (const JsonNode format = node.at("phrame"); format.string() != "certificate/1")
     format.fail(
@@ -483,7 +378,7 @@ NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, 
   const auto hodograph = read_list(node.at("hodograph"), polynomial);
   if (hodograph.size() != 3)
     node.at("hodograph").fail(fmt::format("3 polynomials are wanted, not {}", hodograph.size()));
-  const long bits = read_count(node.at("bits"), 0, most_count);
+  const long bits = read_count(node.at("bits"), 0, most_certificate_count);
   // In a list the order of evaluation is that of its items: the logs before the claims.
   Certificate c{Curve({{1}, {}, {}, {}}),  // until it is known what it takes
                 reference,
@@ -515,10 +410,7 @@ NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, 
 AngleClaim read_path_claim(const JsonNode& node, WorkLimit& limit) {
   node.require_known_keys({"t", "theta", "radius"});
   AngleClaim claim = read_claim(node);
-  const JsonNode t = node.at("t");
-  if (!is_exact(t.string()))
-    t.fail(fmt::format("an integer or a fraction is wanted, not \"{}\"", abbreviated(t.text())));
-  claim.t = t.number();
+  claim.t = read_exact(node.at("t"));
   const Integer bits = bits_of(claim.t) + bits_of(parse_rational(claim.theta)) +
                        bits_of(parse_rational(claim.radius));
   limit.add(node, bits * bits / 1000 + 1000);
@@ -548,14 +440,15 @@ NamedPathCertificate read_of_path(const JsonNode& node, const CurveLimits& limit
 
 }  // namespace
 
-std::variant<NamedCertificate, NamedPathCertificate> read_any_certificate(
-    std::string_view text, const CertificateLimits& limits) {
+NamedAnyCertificate read_any_certificate(std::string_view text, const CertificateLimits& limits) {
   const JsonValue document = parse_json_file(text, "certificate");
   const JsonNode node(document);
   node.require(Kind::object, "an object");
   WorkLimit limit(text.size(), limits.is_limited);
-  if (node.at("phrame").string() == "path-certificate/1")
-    return read_of_path(node, limits.curve, limit);
+  const std::string& format = node.at("phrame").string();
+  if (format == "path-certificate/1") return read_of_path(node, limits.curve, limit);
+  if (format == "integral-certificate/1")
+    return read_integral_certificate(node, limits.curve, limit);
   return read_of_curve(node, limits.curve, limit);
 }
 

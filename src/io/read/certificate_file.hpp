@@ -4,6 +4,7 @@
 #include "phrame/export.hpp"
 #include "phrame/io/read/curve_file.hpp"
 #include "phrame/ph/proof/certificate.hpp"
+#include "phrame/ph/proof/integral_certificate.hpp"
 
 namespace phrame::inline v0 {
 
@@ -25,10 +26,20 @@ struct NamedPathCertificate {
   PathCertificate certificate;  ///< true or not
 };
 
-/// Reads a certificate/1 or path-certificate/1 file (docs/certificate.md), true or not. Throws
-/// InputError as read_curve.
-PHRAME_API std::variant<NamedCertificate, NamedPathCertificate> read_any_certificate(
-    std::string_view text, const CertificateLimits& limits = {});
+/// That of an angle or a length along curves of other kinds.
+struct NamedIntegralCertificate {
+  std::string name;                 ///< of the path; may be empty
+  IntegralCertificate certificate;  ///< true or not
+};
+
+/// That of any of these.
+using NamedAnyCertificate =
+    std::variant<NamedCertificate, NamedPathCertificate, NamedIntegralCertificate>;
+
+/// Reads a certificate/1, path-certificate/1 or integral-certificate/1 file (docs/certificate.md),
+/// true or not. Throws InputError as read_curve.
+PHRAME_API NamedAnyCertificate read_any_certificate(std::string_view text,
+                                                    const CertificateLimits& limits = {});
 /// The same of a curve, a certificate/1.
 PHRAME_API NamedCertificate read_certificate(std::string_view text,
                                              const CertificateLimits& limits = {});

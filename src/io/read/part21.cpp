@@ -99,8 +99,8 @@ class Part21Reader {
   }
   /// Behind a "(", up to its ")".
   std::vector<Part21Value> values() {
-    constexpr int deepest = 32;
-    if (++depth_ > deepest) fail("lists are at most 32 deep");
+    constexpr int most_nested = 32;
+    if (++depth_ > most_nested) fail("lists are at most 32 deep");
     std::vector<Part21Value> found;
     while (!take(')')) {
       if (!found.empty() && !take(',')) fail("\",\" or \")\" is expected");
@@ -110,19 +110,19 @@ class Part21Reader {
     return found;
   }
   Part21Value value() {
-    using Kind = Part21Value::Kind;
+    using ValueKind = Part21Value::Kind;
     const char c = at_ < text_.size() ? text_[at_] : '\0';
     if (c == '#') {
       ++at_;
-      return {Kind::reference, take_while([](char d) { return d >= '0' && d <= '9'; })};
+      return {ValueKind::reference, take_while([](char d) { return d >= '0' && d <= '9'; })};
     }
-    if (take('$') || take('*')) return {Kind::none, {}};
-    if (take('(')) return {Kind::list, {}, values()};
+    if (take('$') || take('*')) return {ValueKind::none, {}};
+    if (take('(')) return {ValueKind::list, {}, values()};
     if (c == '.') {
       ++at_;
       const std::string_view word = take_while(is_name_letter);
       if (!take('.')) fail("\".\" is expected");
-      return {Kind::word, word};
+      return {ValueKind::word, word};
     }
     if (c == '\'' || c == '"') {
       const std::size_t begin = at_ + 1;
@@ -130,16 +130,16 @@ class Part21Reader {
                       : std::min(text_.find('"', begin), text_.size() - 1) + 1;
       const std::string_view text = text_.substr(begin, std::max(at_ - 1, begin) - begin);
       skip();
-      return {Kind::text, text};
+      return {ValueKind::text, text};
     }
     if (c == '+' || c == '-' || (c >= '0' && c <= '9'))
-      return {Kind::number, take_while([](char d) {
+      return {ValueKind::number, take_while([](char d) {
                 return (d >= '0' && d <= '9') || d == '+' || d == '-' || d == '.' || d == 'E' ||
                        d == 'e';
               })};
     const std::string_view name = take_while(is_name_letter);
     if (name.empty() || !take('(')) fail("a value is expected");
-    return {Kind::typed, name, values()};
+    return {ValueKind::typed, name, values()};
   }
 
   std::string_view text_;

@@ -6,6 +6,29 @@
 namespace phrame::inline v0 {
 namespace {
 
+JsonOutput json_of(const LengthClaim& claim) {
+  return {{"t", to_string(claim.t)}, {"length", claim.length}, {"radius", claim.radius}};
+}
+
+JsonOutput json_of(const IntegralSegment& segment) {
+  const auto terms = [](const GridPolynomial& p) {
+    return array_of(p.terms, [](const Integer& x) -> JsonOutput { return x.str(); });
+  };
+  const auto& [x, y, z] = segment.position;
+  return {{"x", phrame::json_of(x)},
+          {"y", phrame::json_of(y)},
+          {"z", phrame::json_of(z)},
+          {"w", phrame::json_of(segment.weight)},
+          {"square", phrame::json_of(segment.square)},
+          {"pieces", array_of(segment.pieces, [&](const IntegralPiece& piece) -> JsonOutput {
+             return {{"to", to_string(piece.to)},
+                     {"root_bits", piece.root.bits},
+                     {"root", terms(piece.root)},
+                     {"rate_bits", piece.rate.bits},
+                     {"rate", terms(piece.rate)}};
+           })}};
+}
+
 JsonOutput json_of(const GaussianInteger& z) { return {z.re.str(), z.im.str()}; }
 
 JsonOutput json_of(const std::vector<RootDisc>& discs) {
@@ -118,6 +141,18 @@ std::string write_certificate(const PathCertificate& certificate, const std::str
                               [](const Certificate& c) { return json_of(c, "", std::nullopt); });
   json["claims"] =
       array_of(certificate.claims, [](const AngleClaim& claim) { return json_of(claim); });
+  return pretty(json);
+}
+
+std::string write_certificate(const IntegralCertificate& certificate, const std::string& name) {
+  JsonOutput json = {{"phrame", "integral-certificate/1"}};
+  if (!name.empty()) json["name"] = name;
+  json["frame"] = certificate.frame ? name_of(*certificate.frame) : "none";
+  if (certificate.frame == Reference::up) json["up"] = phrame::json_of(certificate.up);
+  const auto each = [](const auto& x) { return json_of(x); };
+  json["segments"] = array_of(certificate.segments, each);
+  json["claims"] =
+      certificate.frame ? array_of(certificate.angles, each) : array_of(certificate.lengths, each);
   return pretty(json);
 }
 

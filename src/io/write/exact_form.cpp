@@ -5,11 +5,13 @@
 #include <array>
 
 #include "phrame/ph/curve/hodograph_fraction.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
+namespace {
 
-std::string exact_form(const Curve& curve) {
-  const auto& [derivative, over] = hodograph_fraction(curve);
+std::string exact_form(const HodographFraction& hodograph, const Vector<Rational>& start) {
+  const auto& [derivative, over] = hodograph;
   std::string text;
   const auto add = [&text](const char* name, const auto& numbers) {
     text += name;
@@ -19,8 +21,18 @@ std::string exact_form(const Curve& curve) {
   constexpr std::array names{"dx", "dy", "dz"};
   for (std::size_t k = 0; k < names.size(); ++k) add(names[k], derivative[k].coefficients());
   if (!over.is_constant()) add("over", over.coefficients());
-  add("start", curve.start());
+  add("start", start);
   return text;
+}
+
+}  // namespace
+
+std::string exact_form(const Curve& curve) {
+  return exact_form(hodograph_fraction(curve), curve.start());
+}
+
+std::string exact_form(const Vector<Polynomial>& position, const Polynomial& weight) {
+  return exact_form(hodograph_fraction(position, weight), 1 / weight(0) * evaluate(position, 0));
 }
 
 }  // namespace phrame

@@ -13,9 +13,18 @@ namespace {
 struct Name {
   std::string operator()(const std::string& part) const { return part; }
   std::string operator()(const AngleClaim& claim) const {
+    return name("theta", claim.t, claim.theta, claim.radius);
+  }
+  std::string operator()(const LengthClaim& claim) const {
+    return name("length", claim.t, claim.length, claim.radius);
+  }
+
+ private:
+  static std::string name(const char* of, const Rational& t, const std::string& value,
+                          const std::string& radius) {
     constexpr std::size_t limit = 240;
-    return fmt::format("|theta({}) - {}| <= {}", readable_exact(to_string(claim.t), limit),
-                       claim.theta, claim.radius);
+    return fmt::format("|{}({}) - {}| <= {}", of, readable_exact(to_string(t), limit), value,
+                       radius);
   }
 };
 

@@ -10,5 +10,7 @@ struct HodographFraction {
 };
 /// r′ = N/D, which depends on the curve alone, not on how its W, A and f were chosen.
 HodographFraction hodograph_fraction(const Curve& curve);
+/// The same of r = X/W, W(0) ≠ 0.
+HodographFraction hodograph_fraction(const Vector<Polynomial>& position, const Polynomial& weight);
 
 }  // namespace phrame

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "phrame/algebra/argument.hpp"
-#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/modular.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/disc_laws.hpp"
+#include "phrame/ph/proof/stated_number.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -71,25 +71,9 @@ struct Planned {
   Rational slack;
 };
 
-/// θ(t) correctly rounded, the radius half a unit of the last digit. What is known to be exact only
-/// because logarithms cancel gets a whole unit where it lies half way between two decimals.
 Planned plan(const Real& theta, const Rational& t, long digits, bool is_rational) {
-  AngleClaim claim{t, round_to_decimal(theta, digits).value, "0", {}};
-  const Rational value = parse_rational(claim.theta);
-  Rational radius = half_unit(value, digits);
-  const std::optional<Rational>& exact = theta.exact();
-  const auto set_radius = [&] { claim.radius = upper_bound_text(radius, 1); };
-  if (is_rational) {
-    if (*exact != value) set_radius();
-    return {claim, 0};
-  }
-  if (exact && abs(*exact - value) == radius) radius *= 2;
-  set_radius();
-  for (Rational slack = radius * power_of_two(-32);; slack *= power_of_two(-64)) {
-    const RealBall enclosure = theta.enclose(2 - binary_exponent(slack));
-    const Rational off = std::max(abs(enclosure.upper() - value), abs(enclosure.lower() - value));
-    if (off + 4 * slack <= radius) return {claim, slack};
-  }
+  const StatedNumber stated = stated_number(theta, digits, is_rational, 32);
+  return {{t, stated.value, stated.radius, {}}, stated.slack};
 }
 
 }  // namespace

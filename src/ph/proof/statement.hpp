@@ -16,10 +16,19 @@ struct AngleClaim {
   friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
 };
 
+/// |length from 0 to t − length| ≤ radius.
+struct LengthClaim {
+  Rational t;          ///< the parameter
+  std::string length;  ///< a decimal
+  std::string radius;  ///< a decimal
+  friend bool operator==(const LengthClaim&, const LengthClaim&) = default;
+};
+
 /// One thing that a certificate states.
 struct Statement {
-  /// An angle, or what the certificate calls the part that states it: "rate", "decision helical".
-  std::variant<std::string, AngleClaim> what;
+  /// An angle, a length, or what the certificate calls the part that states it: "rate", "decision
+  /// helical".
+  std::variant<std::string, AngleClaim, LengthClaim> what;
   std::string objection;                    ///< why it is not proved; empty for a proved one
   std::optional<std::size_t> segment = {};  ///< of a path, where it is of one
   bool is_proved() const { return objection.empty(); }  ///< has it no objection?

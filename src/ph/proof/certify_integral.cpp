@@ -1,0 +1,197 @@
+// Pieces are halved until Taylor polynomials of some degree do on them. What they prove is computed
+// as a checker does, exactly, and has to be within the piece's share of what the claims leave.
+#include "phrame/ph/proof/certify_integral.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/grid_quotient.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/path_length.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/proof/integral_laws.hpp"
+#include "phrame/ph/proof/stated_number.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+/// Beyond the digits of a claim.
+constexpr long spare_bits = 10;
+
+/// Pieces of one segment.
+class PieceMaker {
+ public:
+  /// The integral of f, or where there is a multiplier of |f|, which has its sign.
+  PieceMaker(RootQuotient f, std::optional<Polynomial> multiplier)
+      : f_(std::move(f)), multiplier_(std::move(multiplier)) {
+    if (multiplier_ && !multiplier_->is_constant())
+      zeros_ = isolate_real_roots(*multiplier_, open_interval(0, 1));
+  }
+
+  /// As far as to t or beyond it; each leaves the integral no more than `room`.
+  std::vector<IntegralPiece> pieces(const Rational& t, const Rational& room) const {
+    std::vector<IntegralPiece> list;
+    Rational start = 0;
+    for (const Interval& zero : zeros_) {
+      if (start >= t) return list;
+      // Next to a zero that is not rational the integral is small.
+      Interval close = zero;
+      std::optional<IntegralPiece> across;
+      for (Rational width(1, 1 << 16); !across && close.lower != close.upper; width *= width) {
+        close = narrowed(*multiplier_, zero, width);
+        if (close.lower != close.upper) across = piece(*close.lower, *close.upper, room, true);
+      }
+      add_halves(list, start, *close.lower, t, room);
+      if (across) list.push_back(*std::move(across));
+      start = *close.upper;
+    }
+    add_halves(list, start, 1, t, room);
+    return list;
+  }
+
+ private:
+  void add_halves(std::vector<IntegralPiece>& list, const Rational& from, const Rational& to,
+                  const Rational& t, const Rational& room) const {
+    constexpr long greatest_level = 4096;
+    struct Open {
+      Rational from, to;
+      long level;
+    };
+    std::vector<Open> open;
+    if (from < to) open.push_back({from, to, 0});
+    while (!open.empty()) {
+      const Open part = std::move(open.back());
+      open.pop_back();
+      if (part.from >= t) return;
+      if (auto found = piece(part.from, part.to, room, false)) {
+        list.push_back(*std::move(found));
+        continue;
+      }
+      if (part.level == greatest_level)
+        throw Undecided(fmt::format("certify: a singularity is closer than 2^-{} to t = {:.9g}",
+                                    greatest_level, static_cast<double>(part.from)));
+      const Rational middle = (part.from + part.to) / 2;
+      open.push_back({middle, part.to, part.level + 1});
+      open.push_back({part.from, middle, part.level + 1});
+    }
+  }
+
+  /// No value where it does not prove enough.
+  std::optional<IntegralPiece> piece(const Rational& from, const Rational& to, const Rational& room,
+                                     bool has_zero) const {
+    const Polynomial D = on_piece(f_.denominator, from, to);
+    if (2 * D.coefficient(0) <= sum_of_sizes(D)) return std::nullopt;
+    auto about = grid_quotient(on_piece(f_.numerator, from, to), D, on_piece(f_.radicand, from, to),
+                               binary_exponent((to - from) / room) + 2);
+    if (!about) return std::nullopt;
+    const IntegralPiece found{to, std::move(about->root), std::move(about->rate)};
+    PieceProof proof(f_, found, from);
+    if (multiplier_) proof.of_size(*multiplier_);
+    if (!proof.objection().empty() || (!has_zero && proof.has_both_signs())) return std::nullopt;
+    const IntegralBounds bounds = proof.bounds(to);
+    if (bounds.upper - bounds.lower > room) return std::nullopt;
+    return found;
+  }
+
+  RootQuotient f_;
+  std::optional<Polynomial> multiplier_;
+  std::vector<Interval> zeros_{};  ///< of the multiplier, on (0, 1)
+};
+
+/// What is to be certified, without its pieces.
+IntegralCertificate without_pieces(const Path& path) {
+  IntegralCertificate c;
+  for (std::size_t k = 0; k < path.segments().size(); ++k) {
+    const RationalCurve* curve = rational_curve(path.segments()[k]);
+    if (curve == nullptr)
+      throw DomainError(fmt::format(
+          "certify: segment {} is given by formulas, of which no certificate tells", k + 1));
+    const Polynomial sigma = dot(curve->direction(), curve->direction());
+    Polynomial root = square_root(sigma).value_or(Polynomial{1});
+    if (root(0) < 0) root = -root;
+    c.segments.push_back({curve->numerator(), curve->weight(), std::move(root), {}});
+  }
+  return c;
+}
+
+/// The pieces up to t, whose bounds are no further apart than the slack.
+void find_pieces(IntegralCertificate& c, const PathParameter& end, const Rational& slack) {
+  std::vector<PieceMaker> makers;
+  std::optional<DirectedCurve> before;
+  for (std::size_t k = 0; k <= end.segment; ++k) {
+    DirectedCurve curve = directed_curve(c.segments[k]);
+    if (before) objection_to_joint(c, k, *before, curve);
+    const auto f = integrand(c, k, curve);
+    makers.emplace_back(std::get<RootQuotient>(f),
+                        c.frame ? std::nullopt : std::optional(curve.multiplier));
+    before = std::move(curve);
+  }
+  for (std::size_t most = 16 * makers.size(), count = most + 1; count > most; most = 2 * count) {
+    count = 0;
+    for (std::size_t k = 0; k < makers.size(); ++k) {
+      const Rational room = slack / Rational(static_cast<long>(most));
+      c.segments[k].pieces = makers[k].pieces(k == end.segment ? end.t : Rational(1), room);
+      count += c.segments[k].pieces.size();
+    }
+    if (count <= most) return;
+  }
+}
+
+/// The segment that t is in, the earlier one at a joint, up to which are those that θ(t) rests on.
+PathParameter last_part(std::size_t count, const Rational& t) {
+  const PathParameter at = locate_inside(count, t);
+  return at.t == 0 && at.segment > 0 ? PathParameter{at.segment - 1, 1} : at;
+}
+
+/// add(t, stated) makes the claims; `is_zero` says that all of them are 0.
+template <class Value, class Add>
+IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rational>& at, long digits,
+                                bool is_zero, const Value& value, const Add& add) {
+  std::optional<Rational> slack;
+  PathParameter end{0, 0};
+  for (const Rational& t : at) {
+    const PathParameter place = last_part(c.segments.size(), t);
+    const StatedNumber stated = stated_number(value(place), digits, is_zero || t == 0, spare_bits);
+    add(c, t, stated);
+    if (t == 0) continue;
+    if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
+    if (!slack || stated.slack < *slack) slack = stated.slack;
+  }
+  if (slack) find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
+  return c;
+}
+
+}  // namespace
+
+IntegralCertificate certify(const PathAngle& angle, const std::vector<Rational>& at, long digits) {
+  const Path& path = angle.path();
+  if (angle.reference() == Reference::euler_rodrigues)
+    throw DomainError("certify: this angle is to the Euler-Rodrigues frame");
+  if (!path.corners().empty())
+    throw DomainError(fmt::format(
+        "certify: the path has a corner at t = {}, which no certificate of angles tells of",
+        path.corners().front()));
+  IntegralCertificate c = without_pieces(path);
+  c.frame = angle.reference();
+  if (c.frame == Reference::up) c.up = angle.up();
+  return with_claims(
+      std::move(c), at, digits, angle.is_zero(),
+      [&](const PathParameter& place) { return angle.value(Place(place)); },
+      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
+        to.angles.push_back({t, stated.value, stated.radius, {}});
+      });
+}
+
+IntegralCertificate certify_length(const Path& path, const std::vector<Rational>& at, long digits) {
+  const PathLength length(path);
+  return with_claims(
+      without_pieces(path), at, digits, false,
+      [&](const PathParameter& place) { return length.value(Place(place)); },
+      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
+        to.lengths.push_back({t, stated.value, stated.radius});
+      });
+}
+
+}  // namespace phrame

@@ -1,0 +1,165 @@
+#include "phrame/ph/proof/integral_laws.hpp"
+
+#include <algorithm>
+
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/vector.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+Vector<Polynomial> quotient_of(const Vector<Polynomial>& v, const Polynomial& by) {
+  return {exact_quotient(v[0], by), exact_quotient(v[1], by), exact_quotient(v[2], by)};
+}
+
+/// H × H′ = g·B, the parts of B coprime.
+struct SplitBinormal {
+  Polynomial g;  ///< 0 for a straight line
+  Vector<Polynomial> b;
+};
+
+SplitBinormal split_binormal(const Vector<Polynomial>& h) {
+  const Vector<Polynomial> b = cross(h, differentiate(h));
+  const Polynomial g = gcd(b);
+  return g.is_zero() ? SplitBinormal{} : SplitBinormal{g, quotient_of(b, g)};
+}
+
+bool are_parallel(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return cross(a, b) == Vector<Rational>{};
+}
+
+/// ⌊x·2^bits⌋/2^bits.
+Rational rounded_down(const Rational& x, long bits) {
+  return floor(x * power_of_two(bits)) * power_of_two(-bits);
+}
+
+/// 1 where p ≥ 0 from a to b, −1 where p ≤ 0, by its Bernstein coefficients; 0 where these have
+/// both signs. Those of p(x) on [0, 1] are, but for positive factors, the coefficients of (1 +
+/// s)ⁿ·p(1/(1 + s)).
+int sign_on_piece(const Polynomial& p, const Rational& from, const Rational& to) {
+  std::vector<Rational> c = compose(p, {from, to - from}).coefficients();
+  std::reverse(c.begin(), c.end());
+  c = compose(Polynomial(c), {1, 1}).coefficients();
+  const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+  return *least >= 0 ? 1 : *greatest <= 0 ? -1 : 0;
+}
+
+/// What is on the grid.
+Polynomial polynomial_of(const GridPolynomial& p) {
+  return power_of_two(-p.bits) * Polynomial(std::vector<Rational>(p.terms.begin(), p.terms.end()));
+}
+
+const std::string no_line = "a straight line has no Frenet frame";
+
+}  // namespace
+
+DirectedCurve directed_curve(const IntegralSegment& segment) {
+  const auto& [X, W, square, pieces] = segment;
+  const Polynomial slope = differentiate(W);
+  Vector<Polynomial> velocity = differentiate(X);
+  for (std::size_t k = 0; k < 3; ++k) velocity[k] = velocity[k] * W - X[k] * slope;
+  DirectedCurve curve{gcd(velocity), {}};
+  curve.direction = quotient_of(velocity, curve.multiplier);
+  const auto& [x, y, z] = curve.direction;
+  const Rational unit = common_content({x, y, z}) * Rational(sign_after_zero(curve.multiplier));
+  curve.multiplier *= unit;
+  for (Polynomial& p : curve.direction) p *= 1 / unit;
+  return curve;
+}
+
+std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
+                               const DirectedCurve& before, DirectedCurve& after) {
+  const IntegralSegment& a = c.segments[k - 1];
+  const IntegralSegment& b = c.segments[k];
+  if (a.weight(1) == 0) return "the weight of the segment before is 0 at its end";
+  if (Rational(1) / a.weight(1) * evaluate(a.position, 1) !=
+      Rational(1) / b.weight(0) * evaluate(b.position, 0))
+    return "the segment does not begin where the one before ends";
+  if (!c.frame) return "";
+  const Vector<Rational> x = evaluate(before.direction, 1);
+  const Vector<Rational> y = evaluate(after.direction, 0);
+  if (!are_parallel(x, y)) return "the tangent does not go on";
+  if (dot(x, y) < 0) {
+    after.multiplier = -after.multiplier;
+    for (Polynomial& p : after.direction) p = -p;
+  }
+  if (c.frame != Reference::frenet) return "";
+  const SplitBinormal m = split_binormal(before.direction);
+  const SplitBinormal n = split_binormal(after.direction);
+  if (m.g.is_zero() || n.g.is_zero()) return no_line;
+  return are_parallel(evaluate(m.b, 1), evaluate(n.b, 0)) ? "" : "the Frenet frame does not go on";
+}
+
+std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
+                                                  const DirectedCurve& curve) {
+  const auto& [f, H] = curve;
+  const IntegralSegment& segment = c.segments[k];
+  const Polynomial& root = segment.square;
+  if (root(0) <= 0) return "square is not positive at t = 0";
+  const auto [S, rest] = divide(dot(H, H), root * root);
+  if (!rest.is_zero()) return "|H|^2 is not divisible by the square of that";
+  if (!c.frame) return RootQuotient{f * root * S, segment.weight * segment.weight, S};
+  if (c.frame == Reference::up) {
+    const Vector<Polynomial> v = as_polynomials(c.up);
+    const Vector<Polynomial> across = cross(v, H);
+    return RootQuotient{-(dot(v, H) * dot(across, differentiate(H))), dot(across, across) * root,
+                        S};
+  }
+  const auto [g, B] = split_binormal(H);
+  if (g.is_zero()) return no_line;
+  const Polynomial turn = exact_quotient(dot(B, differentiate(differentiate(H))), g);
+  return RootQuotient{-(turn * root * S), dot(B, B), S};
+}
+
+Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& to) {
+  return compose(p, {(from + to) / 2, (to - from) / 2});
+}
+
+Rational sum_of_sizes(const Polynomial& p) {
+  Rational sum = 0;
+  for (const Rational& c : p.coefficients()) sum += abs(c);
+  return sum;
+}
+
+// With |1 − Su²| ≤ δ < 1 and u > 0, u√S is the root of a number between 1 − δ and 1 + δ, so that
+// N/(D√S) differs from Nu/D by |Nu/D|·δ/(1 − δ) at most, and that from p by |Nu − Dp|/|D|.
+PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start)
+    : start_(start),
+      middle_((start + piece.to) / 2),
+      half_((piece.to - start) / 2),
+      bits_(piece.rate.bits + 64 + bit_length(denominator(half_))) {
+  const auto there = [&](const Polynomial& p) { return on_piece(p, start, piece.to); };
+  const Polynomial D = there(f.denominator);
+  const Polynomial u = polynomial_of(piece.root);
+  const Polynomial p = polynomial_of(piece.rate);
+  const Rational delta = sum_of_sizes(Polynomial{1} - there(f.radicand) * u * u);
+  const Rational least = 2 * D.coefficient(0) - sum_of_sizes(D);
+  if (delta >= 1 || u.coefficient(0) <= 0) {
+    objection_ = "the root of it is too far off";
+    return;
+  }
+  if (least <= 0) {
+    objection_ = "the denominator is not proved to be positive on it";
+    return;
+  }
+  const Polynomial product = there(f.numerator) * u;
+  error_ = (sum_of_sizes(product - D * p) + sum_of_sizes(product) * delta / (1 - delta)) / least;
+  size_ = sum_of_sizes(p);
+  integral_ = antiderivative(p);
+}
+
+PieceProof& PieceProof::of_size(const Polynomial& multiplier) {
+  sign_ = sign_on_piece(multiplier, start_, start_ + 2 * half_);
+  return *this;
+}
+
+IntegralBounds PieceProof::bounds(const Rational& t) const {
+  const Rational way = t - start_;
+  const Rational value =
+      Rational(sign_) * half_ * (integral_((t - middle_) / half_) - integral_(-1));
+  const Rational lower = sign_ == 0 ? Rational(0) : value - error_ * way;
+  const Rational upper = sign_ == 0 ? (size_ + error_) * way : value + error_ * way;
+  return {rounded_down(lower, bits_), -rounded_down(-upper, bits_)};
+}
+
+}  // namespace phrame

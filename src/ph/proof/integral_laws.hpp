@@ -1,0 +1,68 @@
+#pragma once
+#include "phrame/integrate/taylor_integral.hpp"
+#include "phrame/ph/proof/integral_certificate.hpp"
+
+namespace phrame::inline v0 {
+
+// The laws of docs/certificate.md about integrals, exactly: what a true certificate obeys.
+
+/// W²r′ = X′W − XW′ = f·H.
+struct DirectedCurve {
+  Polynomial multiplier;         ///< f, positive for small t > 0 until it is turned over
+  Vector<Polynomial> direction;  ///< H, of integers without a common factor
+};
+/// Precondition: r is not a single point.
+DirectedCurve directed_curve(const IntegralSegment& segment);
+
+/// Why the segment does not go on from the one before, with its frame; empty where it does. Turns
+/// it over where H goes on as −H.
+std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
+                               const DirectedCurve& before, DirectedCurve& after);
+
+/// What is integrated, N/(D√S); a text says why there is none.
+std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
+                                                  const DirectedCurve& curve);
+
+/// No less and no more than the integral is.
+struct IntegralBounds {
+  Rational lower = 0;
+  Rational upper = 0;
+  IntegralBounds& operator+=(const IntegralBounds& b) {
+    return lower += b.lower, upper += b.upper, *this;
+  }
+};
+
+/// What one piece proves.
+class PieceProof {
+ public:
+  /// Precondition: start < piece.to. The sign of f matters to lengths, where N/(D√S) is the rate
+  /// but for that.
+  PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start);
+  /// Of |N/(D√S)|, N having the sign of this f.
+  PieceProof& of_size(const Polynomial& multiplier);
+
+  /// Why nothing is proved, or "".
+  const std::string& objection() const { return objection_; }
+  /// Has the f of of_size() both signs, as far as is seen?
+  bool has_both_signs() const { return sign_ == 0; }
+  /// Of the integral from the start to t.
+  IntegralBounds bounds(const Rational& t) const;
+
+ private:
+  Rational start_;
+  Rational middle_;
+  Rational half_;
+  Polynomial integral_;  ///< of the rate, by z
+  Rational size_;        ///< the rate is no greater
+  Rational error_;       ///< and off by no more
+  long bits_;            ///< bounds are rounded to this many
+  int sign_ = 1;
+  std::string objection_;
+};
+
+/// p as a function of z.
+Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& to);
+/// Σ |coefficients|, so that |p(z)| is no greater for |z| ≤ 1.
+Rational sum_of_sizes(const Polynomial& p);
+
+}  // namespace phrame

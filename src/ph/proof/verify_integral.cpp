@@ -1,0 +1,190 @@
+#include "phrame/ph/proof/verify_integral.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
+#include "phrame/integrate/absolute_integral.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
+#include "phrame/ph/proof/integral_laws.hpp"
+
+namespace phrame::inline v0 {
+namespace {
+
+/// f(t) dt for t = c·s, c > 0.
+RootQuotient scaled(const RootQuotient& f, const Rational& c) {
+  const Polynomial by{0, c};
+  return {c * compose(f.numerator, by), compose(f.denominator, by), compose(f.radicand, by)};
+}
+
+/// What one segment proves.
+class SegmentProof {
+ public:
+  SegmentProof(const IntegralCertificate& c, std::size_t k, const SegmentProof* before)
+      : c_(c), k_(k), curve_(directed_curve(c.segments[k])) {
+    const Polynomial& weight = c.segments[k].weight;
+    if (!weight.is_constant())
+      state("weight",
+            unless(count_real_roots(weight, closed_interval(0, 1)) == 0, "w has a zero on [0, 1]"));
+    if (before != nullptr) {
+      const std::string objection = objection_to_joint(c, k, before->curve_, curve_);
+      add({fmt::format("joint {}", k), objection});
+    }
+    const auto f = integrand(c, k, curve_);
+    if (const auto* objection = std::get_if<std::string>(&f)) {
+      state("rate", *objection);
+      state("pieces", "rests on the rate");
+      return;
+    }
+    state("rate", "");
+    state("pieces", objection_to_pieces(std::get<RootQuotient>(f)));
+  }
+
+  const std::vector<Statement>& statements() const { return statements_; }
+  bool is_proved() const { return is_proved_; }
+  /// The pieces end here.
+  const Rational& end() const { return end_; }
+
+  /// Precondition: t is in the pieces.
+  IntegralBounds bounds(const Rational& t) const {
+    const auto after = std::ranges::upper_bound(pieces_, t, {}, &Part::start);
+    if (after == pieces_.begin()) return {};
+    const Part& part = *std::prev(after);
+    IntegralBounds all = part.before;
+    if (part.start < t) all += part.proof.bounds(t);
+    return all;
+  }
+
+  /// The same by Taylor series in balls of 1/√S and 1/D.
+  RealBall by_series(const Rational& t, long bits) {
+    if (!series_) series_ = series();
+    const Rational s = t / end_;
+    return std::visit([&](const auto& f) { return enclosed(f, s, bits); }, *series_);
+  }
+
+ private:
+  struct Part {
+    Rational start;
+    IntegralBounds before;
+    PieceProof proof;
+  };
+  using Series = std::variant<TaylorIntegral, AbsoluteIntegral>;
+
+  static RealBall enclosed(const TaylorIntegral& f, const Rational& s, long bits) {
+    return f.enclose(s, bits);
+  }
+  static RealBall enclosed(const AbsoluteIntegral& f, const Rational& s, long bits) {
+    return f.enclose(Real(s), bits);
+  }
+
+  void add(Statement statement) {
+    is_proved_ = is_proved_ && statement.is_proved();
+    statements_.push_back(std::move(statement));
+  }
+  void state(const char* what, const std::string& objection) {
+    add({fmt::format("{} of segment {}", what, k_), objection});
+  }
+
+  std::string objection_to_pieces(const RootQuotient& f) {
+    IntegralBounds sum;
+    const auto& pieces = c_.segments[k_].pieces;
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      const Rational& to = pieces[j].to;
+      if (to <= end_ || to > 1) return fmt::format("piece {} is empty, or ends beyond 1", j);
+      PieceProof proof(f, pieces[j], end_);
+      if (!proof.objection().empty()) return fmt::format("piece {}: {}", j, proof.objection());
+      if (!c_.frame) proof.of_size(curve_.multiplier);
+      pieces_.push_back({end_, sum, proof});
+      sum += proof.bounds(to);
+      end_ = to;
+    }
+    return "";
+  }
+
+  /// Where the pieces are D and S have no zero.
+  Series series() const {
+    const IntegralSegment& segment = c_.segments[k_];
+    RationalCurve curve(segment.position, segment.weight);
+    if (dot(evaluate(curve.direction(), 0), evaluate(curve_.direction, 0)) < 0)
+      curve = curve.turned_over();
+    if (!c_.frame) return AbsoluteIntegral(scaled(length_rate(curve), end_));
+    return TaylorIntegral(scaled(
+        c_.frame == Reference::up ? up_frame_turning(curve, c_.up) : frenet_turning(curve), end_));
+  }
+
+  const IntegralCertificate& c_;
+  std::size_t k_;
+  DirectedCurve curve_;
+  std::vector<Statement> statements_;
+  bool is_proved_ = true;
+  std::vector<Part> pieces_;
+  Rational end_ = 0;
+  std::optional<Series> series_;
+};
+
+/// |the integral from 0 to t − value| ≤ radius.
+std::string objection_to_claim(std::vector<SegmentProof>& segments, const Rational& t,
+                               const Rational& value, const Rational& radius) {
+  if (t < 0 || t > Rational(static_cast<long>(segments.size()))) return "t is not on the path";
+  IntegralBounds sum;
+  const auto each = [&](const auto& does) -> std::string {
+    for (std::size_t k = 0; Rational(static_cast<long>(k)) < t; ++k) {
+      const Rational to = std::min(Rational(1), Rational(t - Rational(static_cast<long>(k))));
+      if (!segments[k].is_proved()) return fmt::format("rests on what is of segment {}", k);
+      if (to > segments[k].end()) return fmt::format("the pieces of segment {} end before t", k);
+      does(segments[k], to);
+    }
+    return "";
+  };
+  std::string objection =
+      each([&](SegmentProof& segment, const Rational& to) { sum += segment.bounds(to); });
+  if (!objection.empty()) return objection;
+  if (sum.lower < value - radius || value + radius < sum.upper)
+    return "it does not follow from the pieces";
+  const long bits = 64 + (radius == 0 ? 0 : std::max(0L, -binary_exponent(radius))) +
+                    std::max(0L, binary_exponent(abs(value) + 1));
+  RealBall total;
+  each([&](SegmentProof& segment, const Rational& to) {
+    total = add(total, segment.by_series(to, bits), bits);
+  });
+  const RealBall claimed = widened(RealBall(value, bits + 64), RealBall(radius, bits + 64));
+  return unless(total.overlaps(claimed), "the series say something else");
+}
+
+}  // namespace
+
+std::vector<Statement> verify(const IntegralCertificate& c) {
+  std::vector<Statement> list;
+  std::vector<SegmentProof> segments;
+  segments.reserve(c.segments.size());
+  for (std::size_t k = 0; k < c.segments.size(); ++k) {
+    segments.emplace_back(c, k, k == 0 ? nullptr : &segments.back());
+    const auto& statements = segments.back().statements();
+    list.insert(list.end(), statements.begin(), statements.end());
+  }
+  const auto decide = [&](const auto& claim, const std::string& value) {
+    list.push_back({claim, objection_to_claim(segments, claim.t, parse_rational(value),
+                                              parse_rational(claim.radius))});
+  };
+  for (const AngleClaim& claim : c.angles) decide(claim, claim.theta);
+  for (const LengthClaim& claim : c.lengths) decide(claim, claim.length);
+  return list;
+}
+
+std::variant<Path, std::string> path_of(const IntegralCertificate& c) {
+  try {
+    std::vector<Segment> segments;
+    for (const IntegralSegment& segment : c.segments)
+      segments.emplace_back(RationalCurve(segment.position, segment.weight));
+    return joined(std::move(segments));
+  } catch (const DomainError& error) {
+    return std::string(error.what());
+  }
+}
+
+}  // namespace phrame
