@@ -11,6 +11,7 @@ struct CertifyOptions {
   Parameters parameters;
   std::string frame = "erf";
   long digits = 17;
+  ClosedQuery closed;
 };
 
 void run(const CertifyOptions& options) {
@@ -18,15 +19,20 @@ void run(const CertifyOptions& options) {
   auto [named, at] = options.curve.read_path_at(options.parameters);
   const PhPath& path = named.path;
   if (at.empty()) at.push_back(path.end());
-  if (path.is_curve()) {
+  const bool is_about_closed = options.closed.holonomy || options.closed.writhe;
+  if (path.is_curve() && !is_about_closed) {
     write_output(options.curve.output,
                  write_certificate(certify(path.segments().front(), reference, at, options.digits),
                                    named.name, named.near));
     return;
   }
-  if (reference == Reference::frenet) fail_for_spline("--frame", options.frame);
+  if (reference == Reference::frenet) {
+    if (path.is_curve())
+      throw InputError("--frame", "\"frenet\" does not go with --holonomy and --writhe");
+    fail_for_spline("--frame", options.frame);
+  }
   write_output(options.curve.output,
-               write_certificate(certify(path, at, options.digits), named.name));
+               write_certificate(certify(path, at, options.digits, options.closed), named.name));
 }
 
 }  // namespace
@@ -40,6 +46,10 @@ void add_certify(Program& program) {
   add_digits(command, options->digits);
   add_reference(command, options->frame,
                 "what the angle is measured from: erf (default) or frenet");
+  command.add_flag("--holonomy", options->closed.holonomy,
+                   "of a closed path also the angle by which the frame comes back turned");
+  command.add_flag("--writhe", options->closed.writhe,
+                   "of a closed path also its writhe, and the crossings that a projection shows");
   command.set_notes(
       "Without --at and --samples the angle at the end. phrame verify checks the certificate, and "
       "so\n"
