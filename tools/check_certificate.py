@@ -630,7 +630,8 @@ def read_of_curve(value, place, limits):
     frenet = isinstance(value, dict) and value.get("frame") == "frenet"
     is_rational = isinstance(curve, dict) and isinstance(curve.get("multiplier"), dict)
     most, m, f, r = limits.max_degree + 1, 0, 0, None
-    K = read(form_of_curve(most, is_rational), curve, place + "/curve") if curve is not None else None
+    has_curve = isinstance(value, dict) and "curve" in value
+    K = read(form_of_curve(most, is_rational), curve, place + "/curve") if has_curve else None
     if K:
         n, d = getattr(K, "multiplier", Poly([1])), Poly([1])
         m, f = max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1
@@ -774,9 +775,8 @@ def position_of(hodograph, over, start):
 
 
 def read_curves(name, limits):
-    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 with a preimage, control points or a position, or of
-    a spline/1 of these; numbers as these files have them, but for hexadecimal ones. A segment without a start goes on
-    where the one before ends."""
+    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1, but for formulas, or of a spline/1 of these; numbers
+    as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
     is_spline = isinstance(value, dict) and isinstance(value.get("segments"), list) and value["segments"]
     for k, part in enumerate(value["segments"] if is_spline else [value]):
@@ -786,6 +786,10 @@ def read_curves(name, limits):
             end = [x(1) / W(1) for x in X]
         curves.append((hodograph, over, start, A))
     return curves
+
+
+PREIMAGES = ("preimage", "quaternions", "hopf", "complex")
+FORMS = (*PREIMAGES, "control_points", "position", "tangents")
 
 
 def read_curve(value, at, limits, end):
@@ -803,16 +807,33 @@ def read_curve(value, at, limits, end):
     def polynomial(x, place):
         return (from_bernstein if basis == "bernstein" else over_one_denominator)(numbers(x, place))
 
-    def quotient(X, W, place):
+    def columns(n):
+        """The form of n polynomials, whose coefficients are rows."""
+        def leaf(x, place):
+            rows = read([(lambda x, _: x,) * n], x, place)
+            return [polynomial(list(column), place) for column in zip(*rows)] or fail(place, "no coefficients", x)
+        return leaf
+
+    def fraction(x, place):
+        parts = {"numerator": polynomial, "denominator": nonzero(polynomial)}
+        found = read(parts if isinstance(x, dict) else polynomial, x, place)
+        return (found.numerator, found.denominator) if isinstance(x, dict) else (found, Poly([1]))
+
+    def require_equal_lengths(lists):
+        if basis == "bernstein" and len(set(map(len, lists))) > 1:
+            fail(at, "Bernstein lists of equal lengths are wanted", value)
+
+    def quotient(X, W, place, A=None):
         """Of r = X/W."""
         if not W(0) or not W(1):
             fail(place, "the weight is 0 at an end", value)
         slope = W.derivative()
         hodograph = [x.derivative() * W - x * slope for x in X]
-        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], None
+        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], A
 
-    if not isinstance(value, dict) or not any(key in value for key in ("preimage", "control_points", "position")):
-        fail(at, "a curve/1 with a preimage, control points or a position is wanted (phrame identify --print curve)", value)
+    form = [key for key in FORMS if isinstance(value, dict) and key in value]
+    if len(form) != 1:
+        fail(at, "a curve/1 with one of %s is wanted (phrame identify --print curve)" % ", ".join(FORMS), value)
     if "control_points" in value:
         points = read([(number,) * 3], value["control_points"], at + "/control_points")
         if not 1 < len(points) <= limits.max_degree + 1:
@@ -828,15 +849,32 @@ def read_curve(value, at, limits, end):
         lists = {"z": [0], "w": [1], **given}
         *X, W = [polynomial(lists.get(key), "%s/%s" % (place, key)) for key in (*AXES, "w")]
         return quotient(X, W, place)
-    preimage = read({key: polynomial for key in "uvpq"}, value["preimage"], at + "/preimage")
-    A, f = [getattr(preimage, key) for key in "uvpq"], value.get("multiplier", [1])
-    if isinstance(f, dict):
-        f = read({"numerator": polynomial, "denominator": polynomial}, f, at + "/multiplier")
-        f, over = f.numerator, f.denominator
-        if not over(0):
-            fail(at + "/multiplier", "it has a pole at t = 0", value["multiplier"])
+    given, place = value[form[0]], at + "/" + form[0]
+    if "tangents" in value:  # n.r = p: r = p n + (p'/phi') n turned, n = (2ab, a^2 - b^2)/(a^2 + b^2), phi its angle
+        lines = read({"a": polynomial, "b": polynomial, "support": fraction}, given, place)
+        a, b, (p, over) = lines.a, lines.b, lines.support
+        n, size, turn = (a * b * 2, a * a - b * b), a * a + b * b, (a.derivative() * b - a * b.derivative()) * 2
+        slope = (p.derivative() * over - p * over.derivative()) * size
+        X = [p * over * turn * n[0] - slope * n[1], p * over * turn * n[1] + slope * n[0], Poly([])]
+        W = size * over * over * turn
+        K = common(*X, W) if W else fail(place, "the normal does not turn", given)
+        return quotient([x.over(K) for x in X], W.over(K), place, [b, Poly([]), Poly([]), a])
+    if "preimage" in value:
+        A = vars(read({key: polynomial for key in "uvpq"}, given, place))
+        require_equal_lengths(given.values())
+        A = [A[key] for key in "uvpq"]
+    elif "quaternions" in value:
+        A = columns(4)(given, place)
+    elif "hopf" in value:
+        hopf = read({"alpha": columns(2), "beta": columns(2)}, given, place)
+        require_equal_lengths(given.values())
+        A = [*hopf.alpha, *hopf.beta[::-1]]
     else:
-        f, over = polynomial(f, at + "/multiplier"), Poly([1])
+        u, q = columns(2)(given, place)
+        A = [u, Poly([]), Poly([]), q]
+    f, over = fraction(value.get("multiplier", [1]), at + "/multiplier")
+    if not any(A) or not f or not over(0):
+        fail(at, "the preimage or the multiplier is 0, or has a pole at t = 0", value)
     first = next((x for x in f.c if x), 0) * next((x for x in over.c if x), 0)
     if first < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
         u, v, p, q = A
@@ -1670,7 +1708,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1 with a preimage, control points or a position, or a spline/1")
+                        help="the curve it must be of: a curve/1, but for formulas, or a spline/1")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

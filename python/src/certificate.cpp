@@ -47,7 +47,7 @@ nb::object certified_path(const CertificateObject& self) {
 
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
-                               const Text<"frame">& frame) {
+                               const Text<"frame">& frame, bool holonomy, bool writhe) {
     const PhPath ph = with_preimages_of(self, "certify").path;
     const auto ts = at.is_none() ? std::vector{ph.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
@@ -55,18 +55,24 @@ void bind_certificate(nb::module_& m, PathClass& path) {
         frame, "frame", {{"erf", Reference::euler_rodrigues}, {"frenet", Reference::frenet}});
     if (!ph.is_curve() && reference == Reference::frenet)
       throw DomainError("frame: \"frenet\" is for single curves; this is a spline");
+    const bool is_about_closed = holonomy || writhe;
+    if (is_about_closed && reference == Reference::frenet)
+      throw DomainError("frame: \"frenet\" does not go with holonomy and writhe");
     return without_gil([&]() -> CertificateObject {
-      if (ph.is_curve()) return {certify(ph.segments().front(), reference, ts, n), self.named.name};
-      return {certify(ph, ts, n), self.named.name};
+      if (ph.is_curve() && !is_about_closed)
+        return {certify(ph.segments().front(), reference, ts, n), self.named.name};
+      return {certify(ph, ts, n, {holonomy, writhe}), self.named.name};
     });
   };
   path.def("certify", certify_path, argument("at") = nb::none(), argument("digits") = 50,
-           argument("frame") = "erf",
+           argument("frame") = "erf", argument("holonomy") = false, argument("writhe") = false,
            nb::sig("def certify(self, at: Numbers | None = None, digits: int = 50, "
-                   "frame: str = 'erf') -> Certificate"),
+                   "frame: str = 'erf', holonomy: bool = False, writhe: bool = False) -> "
+                   "Certificate"),
            "Angles, by default the one at the end, with what proves them, and of one PH curve what "
            "kinds it is of. Of a spline of PH curves without corners the angles are to the "
-           "Euler-Rodrigues frame. Curves may be polynomial or rational.");
+           "Euler-Rodrigues frame; of a closed path also the holonomy, and the writhe with all "
+           "crossings that are seen along a vector. Curves may be polynomial or rational.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {
