@@ -11,13 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from certificates_paths_check import ROOT, expect, phrame
-
-TREFOIL = [(math.sin(s) + 2 * math.sin(2 * s), math.cos(s) - 2 * math.cos(2 * s), -math.sin(3 * s))
-           for s in (2 * math.pi * k / 12 for k in range(12))]
-EIGHT = [((2 + math.cos(2 * s)) * math.cos(3 * s), (2 + math.cos(2 * s)) * math.sin(3 * s), math.sin(4 * s))
-         for s in (2 * math.pi * k / 24 for k in range(24))]
-
+from certificates_paths_check import ROOT, expect, phrame, product, run
 
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
@@ -140,7 +134,9 @@ def forgeries(honest):
     yield "a turn in quotes", 2, None, changed(lambda c, _: c["holonomy"].update(turns="0"))
     yield "open", 1, "closed: ", changed(lambda _, lie: (lie["segments"].pop(), lie.update(claims=[])))
     yield "begun elsewhere", 1, "closed: ", changed(lambda _, lie: lie["segments"][0]["curve"].update(start=["1", "0", "0"]))
-    yield "mirrored", 1, "closed: the multiplier", changed(lambda _, lie: mirror(lie["segments"]))
+    yield "its last segment stretched", 1, "closed: ", changed(lambda _, lie: stretch(lie["segments"][-1], 2))
+    yield "not joined", 1, "closed: ", changed(lambda _, lie: lie["segments"][1]["curve"].update(start=["1", "0", "0"]))
+    yield "mirrored", 1, "closed: the multiplier", changed(lambda _, lie: [stretch(segment, -1) for segment in lie["segments"]])
     yield "another key", 2, None, changed(lambda c, _: c.update(link={}))
     yield "no projection", 2, None, changed(lambda c, _: c["writhe"].update(projection=["0", "0", "0"]))
     if not honest["closed"]["writhe"]["crossings"]:
@@ -159,31 +155,35 @@ def forgeries(honest):
     yield "a box beside", 1, crossings, at_first(lambda c: c[0]["first"].update(segment=first["first"]["segment"] + 1))
     yield "a segment that is not there", 1, crossings, at_first(lambda c: c[0]["second"].update(segment=10 ** 6))
     yield "a box turned round", 1, crossings, at_first(lambda c: c[0]["first"]["interval"].reverse())
-    yield "a box beyond the end", 1, crossings, at_first(lambda c: c[0]["first"].update(interval=["0", "2"]))
+    a, b = first["first"]["interval"]
+    yield "a box beyond the end", 1, crossings, at_first(lambda c: c[0]["first"].update(interval=[a if Fraction(a) else "-1/1000000", b if not Fraction(a) else "1000001/1000000"]))
+    yield "a crossing more, its arcs swapped", 1, crossings, at_first(lambda c: c.append({**first, "first": first["second"], "second": first["first"]}))
+    yield "a box without a crossing", 1, crossings, at_first(lambda c: c.insert(0, beside(first)))
     yield "another projection", 1, crossings, changed(lambda c, _: c["writhe"].update(projection=["1", "0", "0"]))
 
 
-def mirror(segments):
-    """-r: the multiplier is negative."""
-    def negative(x):
-        return [y[1:] if y[0] == "-" else "-" + y for y in x]
-    for segment in segments:
-        curve = segment["curve"]
-        curve.update(multiplier=negative(curve.get("multiplier", ["1"])), start=negative(curve.get("start", ["0"] * 3)))
-        segment["hodograph"] = [negative(x) for x in segment["hodograph"]]
+def stretch(segment, c):
+    """The segment c times as large, about the origin."""
+    def scaled(x):
+        return [str(c * Fraction(y)) for y in x]
+    curve = segment["curve"]
+    curve.update(multiplier=scaled(curve.get("multiplier", ["1"])))
+    segment["hodograph"] = [scaled(x) for x in segment["hodograph"]]
+    if c < 0:
+        curve.update(start=scaled(curve.get("start", ["0"] * 3)))
+
+
+def beside(crossing):
+    """Its arcs without the middle of the first, where it crosses the second."""
+    a, b = map(Fraction, crossing["first"]["interval"])
+    return {**crossing, "first": {**crossing["first"], "interval": [str(b), str(b + (b - a) / 64)]}}
 
 
 def main():
     tried = 0
     with tempfile.TemporaryDirectory() as folder:
-        points, curve, certificate, lie = (Path(folder) / name for name in ("points.csv", "curve.json", "path.cert", "lie.cert"))
-        curves = [(ROOT / "examples/curves/closed-spline.json", 40)]
-        for name, knot, steps in (("trefoil", TREFOIL, 16), ("eight", EIGHT, 8)):
-            points.write_text("".join("%.3f,%.3f,%.3f\n" % p for p in knot))
-            path = Path(folder) / (name + ".json")
-            phrame("construct", points, "--closed", "--print", "curve", "-o", path)
-            curves.append((path, steps))
-        for path, steps in curves:
+        certificate, lie, points = (Path(folder) / name for name in ("path.cert", "lie.cert", "points.csv"))
+        for path, steps in ((ROOT / "examples/curves/closed-spline.json", 40), (ROOT / "tests/data/closed-loops.json", 32)):
             phrame("certify", path, "--at", "1/2", "--digits", "25", "--holonomy", "--writhe", "-o", certificate)
             expect(0, path.name, certificate, curve=path)
             honest = json.loads(certificate.read_text())
@@ -191,11 +191,40 @@ def main():
                 foreign, off = at_infinity(find, order, honest, steps)
                 if not abs(foreign - float(honest["closed"][name]["value"])) < off < 1e-3:
                     sys.exit("%s of %s: %s, by another way %s" % (name, path.name, honest["closed"][name]["value"], foreign))
-            for what, status, line, forged in forgeries(honest) if path.stem != "eight" else ():
+            for what, status, line, forged in forgeries(honest):
                 lie.write_text(json.dumps(forged))
                 expect(status, "%s: %s" % (path.name, what), lie, line=line)
                 tried += 1
+        tried += check_others(points, certificate, lie)
     print("%d forged certificates of closed paths" % tried)
+
+
+def check_others(points, certificate, lie):
+    """A circle of rational arcs; one with a weight that is 0 on the way; and a path that ends where it begins, with a corner."""
+    sides = [([1, 0, -1], [0, 2]), ([0, -2], [1, 0, -1]), ([-1, 0, 1], [0, -2]), ([0, 2], [-1, 0, 1])]
+    circle = {"phrame": "spline/1", "segments": [{"basis": "power", "position": {"x": x, "y": y, "w": [1, 0, 1]}} for x, y in sides]}
+    points.write_text(json.dumps(circle))
+    phrame("certify", points, "--holonomy", "--writhe", "-o", certificate)
+    expect(0, "circle", certificate, curve=points)
+    honest = json.loads(certificate.read_text())
+    assert [float(honest["closed"][name]["value"]) for name in ("holonomy", "writhe")] == [0, 0]
+    part = honest["segments"][2]
+    part["position"] = {key: product(x, ["-1", "2"]) for key, x in part["position"].items()}
+    part["hodograph"] = [product(x, ["1", "-4", "4"]) for x in part["hodograph"]]
+    lie.write_text(json.dumps(honest))
+    expect(1, "circle with a pole", lie, line="closed: ")
+    points.write_text("0,0,0\n1,2,0\n3,2,1\n0,0,0\n")
+    corner = points.with_name("corner.json")
+    phrame("construct", points, "--exact-points", "--print", "curve", "-o", corner)
+    phrame("certify", corner, "-o", certificate)
+    for flag in ("--holonomy", "--writhe"):
+        done = run("certify", corner, flag)
+        assert done.returncode == 3 and "the tangent at the end is not that at the start" in done.stderr, done
+    honest = json.loads(certificate.read_text())
+    honest["closed"] = {"holonomy": {"turns": 0, "value": "0", "radius": "9"}}
+    lie.write_text(json.dumps(honest))
+    expect(1, "a corner", lie, line="closed: ")
+    return 2
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ RealBall in_turns(const RealBall& angle, long bits) {
 
 }  // namespace
 
-const std::array<Vector<Rational>, 9>& projections() {
+const std::array<Vector<Rational>, 9>& writhe_projections() {
   static const std::array<Vector<Rational>, 9> list{{{0, 0, 1},
                                                      {1, 2, 5},
                                                      {-3, 1, 4},
@@ -79,7 +79,7 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
 }
 
 ClosedFrame closed_frame(const Path& path) {
-  for (const Vector<Rational>& v : projections())
+  for (const Vector<Rational>& v : writhe_projections())
     if (auto frame = closed_frame(path, v)) return *std::move(frame);
   throw Undecided(
       "the crossings of the curve are not told apart within arcs of 2^-30 of it, by 9 projections: "
@@ -121,7 +121,7 @@ long linking_number(const Path& first, const Path& second) {
 }
 
 long linking_number(const CurveSeries& first, const CurveSeries& second) {
-  for (const Vector<Rational>& v : projections())
+  for (const Vector<Rational>& v : writhe_projections())
     if (const auto crossings = mutual_crossings(first, second, v))
       return sum_of_signs(*crossings) / 2;
   throw Undecided(

@@ -22,8 +22,8 @@ struct ClosedFrame {
   Real twist;
 };
 
-/// The v that are tried, one after the other.
-const std::array<Vector<Rational>, 9>& projections();
+/// The v that closed_frame() tries, one after the other.
+PHRAME_API const std::array<Vector<Rational>, 9>& writhe_projections();
 
 /// The frame of the first of a few v that decides everything. Throws DomainError where the curve is
 /// not closed or has a cusp, unless it is that of a PH curve which does not turn back there;

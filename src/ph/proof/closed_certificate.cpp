@@ -186,7 +186,7 @@ std::pair<std::string, std::string> rounded(const Real& x, long digits) {
 }
 
 WritheClaim writhe_claim(const Path& path, const std::vector<Curve>& segments, long digits) {
-  for (const Vector<Rational>& v : projections()) {
+  for (const Vector<Rational>& v : writhe_projections()) {
     const auto frame = closed_frame(path, v);
     const auto found = frame ? self_crossings(series_of(path), v) : std::nullopt;
     if (!found) continue;
