@@ -47,7 +47,8 @@ nb::object certified_path(const CertificateObject& self) {
 
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
-                               const Text<"frame">& frame, bool holonomy, bool writhe) {
+                               const Text<"frame">& frame, Flag<"holonomy"> holonomy,
+                               Flag<"writhe"> writhe) {
     const PhPath ph = with_preimages_of(self, "certify").path;
     const auto ts = at.is_none() ? std::vector{ph.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
