@@ -176,6 +176,7 @@ let decisions place x =
 (* What is in a file. *)
 type found = {
   certificate : A.certificate;
+  start : (A.q * A.q) * A.q;
   claims : string list; (* as they are written *)
   decisions : string list;
   left_out : string list }
@@ -208,6 +209,11 @@ let certificate place x =
   let multiplier = match find_optional "multiplier" curve with
     | Some f -> some_polynomial (at "curve/multiplier") f
     | None -> [fraction Int.unit_big_int Int.unit_big_int] in
+  let zero = fraction Int.zero_big_int Int.unit_big_int in
+  let start = match Option.map (polynomial (at "curve/start")) (find_optional "start" curve) with
+    | None -> ((zero, zero), zero)
+    | Some [a; b; c] -> ((a, b), c)
+    | Some _ -> fail (at "curve/start") "three numbers are wanted" in
   let taken, left_out = List.partition (fun (_, x) -> x <> None) (decisions (at "decisions") (inside "decisions")) in
   let certificate = {
      A.cu = coordinate "u"; A.cv = coordinate "v"; A.cp = coordinate "p"; A.cq = coordinate "q";
@@ -218,7 +224,7 @@ let certificate place x =
      A.rational = (part rational "numerator", part rational "denominator");
      A.claims = List.map snd claims;
      A.decisions = List.filter_map snd taken } in
-  { certificate; claims = List.map fst claims; decisions = List.map fst taken;
+  { certificate; start; claims = List.map fst claims; decisions = List.map fst taken;
     left_out = "the antiderivative" :: "its roots and residues" :: "the lists of zeros" :: List.map fst left_out }
 
 (* That of a path: its segments, and its claims as they are written. *)
@@ -259,27 +265,28 @@ let judge_curve quiet found =
 (* The same of a path: without claims, and with each of them alone. *)
 let judge_path quiet (segments, claims) =
   let accept claims =
-    A.accept_path { A.segments = List.map (fun s -> s.certificate) segments; A.path_claims = claims } in
+    A.accept_path { A.segments = List.map (fun s -> s.certificate) segments;
+      A.starts = List.map (fun s -> s.start) segments; A.path_claims = claims } in
   let all = accept (List.map snd claims) in
   let each k found = ignore (judge ~prefix:(Printf.sprintf "segment %d: " k) ~is_known:all quiet found) in
   List.iteri each segments;
   let joined = all || accept [] in
-  say quiet joined "the segments, and that the frame goes on from each to the next";
+  say quiet joined "the segments, and that curve and frame go on from each to the next";
   List.iter (fun (line, x) -> say quiet (all || joined && accept [x]) line) claims;
   let add seen what = if List.mem what seen then seen else what :: seen in
   let of_segments = List.fold_left add [] (List.concat_map (fun s -> s.left_out) segments) in
-  say_left_out quiet ("where segments begin" :: "what is said of a closed path" :: List.rev of_segments);
+  say_left_out quiet ("what is said of a closed path" :: List.rev of_segments);
   all
 
 (* The certificate as a term of Coq. *)
 let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden)
 let list a = "[" ^ String.concat "; " a ^ "]"
+let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c)
 let claims_term claims =
   let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
   list (List.map claim claims)
 let term (c : A.certificate) =
   let poly a = list (List.map q a) in
-  let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c) in
   let decision = function
     | A.Regular -> "Regular" | A.NoInflection -> "NoInflection" | A.NotLine -> "NotLine" | A.NotPlanar -> "NotPlanar"
     | A.NotHelical -> "NotHelical" | A.ErfIsRmf -> "ErfIsRmf" | A.ErfIsNotRmf -> "ErfIsNotRmf"
@@ -323,7 +330,8 @@ let write_coq_of_path (segments, claims) =
   write_head " path_statement verified_path_checker";
   List.iteri (fun k s -> Printf.printf "Definition segment_%d := %s.\n\n" k (term s.certificate)) segments;
   let names = String.concat "; " (List.mapi (fun k _ -> Printf.sprintf "segment_%d" k) segments) in
-  Printf.printf "Definition the_certificate := PathCertificate\n  [%s]\n  %s.\n\n" names (claims_term (List.map snd claims));
+  Printf.printf "Definition the_certificate := PathCertificate\n  [%s]\n  %s\n  %s.\n\n" names
+    (list (List.map (fun s -> vector s.start) segments)) (claims_term (List.map snd claims));
   write_theorem "path_statement" "accept_path_sound"
 
 let read name =

@@ -1,13 +1,15 @@
 (* What the certificate of a path (docs/certificate.md) states, as far as verified_path_checker.v checks it, about real
-   numbers: to be read with certificate_statement.v. That a segment begins where the one before ends is not in it. *)
+   numbers: to be read with certificate_statement.v. *)
 From Coq Require Import Reals ZArith QArith Qreals List.
 From Coquelicot Require Import Coquelicot.
 Require Import rotation_minimizing certificate_statement.
 Import ListNotations.
 Open Scope R_scope.
 
-(* The certificates of the segments, each on its own [0, 1], and angles at times along the path, k to k + 1 on segment k. *)
-Record path_certificate := PathCertificate { segments : list certificate; path_claims : list claim }.
+(* The certificates of the segments, each on its own [0, 1], where they start, and angles at times along the path, k to
+   k + 1 on segment k. *)
+Record path_certificate := PathCertificate {
+  segments : list certificate; starts : list (Q * Q * Q); path_claims : list claim }.
 
 (* A preimage without its real zeros, and its derivative. *)
 Definition part := ((R -> quaternion) * (R -> quaternion))%type.
@@ -20,9 +22,17 @@ Definition angle_at (l : list part) n (a : part) t := angle_to l n + RInt (part_
 Definition path_f2 l n a t := turn2 (angle_at l n a t) (e2 (fst a t)) (e3 (fst a t)).
 Definition path_f3 l n a t := turn3 (angle_at l n a t) (e2 (fst a t)) (e3 (fst a t)).
 
+(* From its start p to its end. *)
+Definition end_of (c : certificate) (p : Q * Q * Q) :=
+  add (real_vector p) (Vector (RInt (value (cx' c)) 0 1) (RInt (value (cy' c)) 0 1) (RInt (value (cz' c)) 0 1)).
+
 Definition path_statement (p : path_certificate) := exists l : list part,
   (* All that is stated of each segment. *)
   Forall2 (fun c a => statement_about c (fst a) (snd a)) (segments p) l /\
+  (* Each segment but the first starts where the one before ends. *)
+  length (starts p) = length (segments p) /\
+  (forall n c s t, nth_error (segments p) n = Some c -> nth_error (starts p) n = Some s ->
+    nth_error (starts p) (S n) = Some t -> end_of c s = real_vector t) /\
   (* On each e1, f2, f3 are a rotation-minimizing frame, which goes on from each to the next. *)
   (forall n a, nth_error l n = Some a ->
     (forall t, 0 <= t <= 1 -> clear (fst a) t) /\

@@ -41,9 +41,24 @@ Fixpoint check_sum (l : list certificate) (t sum r : Q) (x : claim) :=
         end
   end%Q.
 
+(* The integral of a polynomial from 0 to 1; k is 1. *)
+Fixpoint integral_of (k : positive) (a : list Q) : Q :=
+  match a with [] => 0 | c :: a => Qred (c / inject_Z (Zpos k) + integral_of (Pos.succ k) a) end%Q.
+Definition meets (c : certificate) (s t : Q * Q * Q) :=
+  let '(x, y, z) := s in
+  let '(u, v, w) := t in
+  (Qeq_bool (x + integral_of 1 (cx' c)) u && Qeq_bool (y + integral_of 1 (cy' c)) v &&
+  Qeq_bool (z + integral_of 1 (cz' c)) w)%Q.
+Fixpoint all_meet (l : list certificate) (s : list (Q * Q * Q)) :=
+  match l, s with
+  | c :: l, p :: (q :: _) as s' => meets c p q && all_meet l s'
+  | _, _ => true
+  end.
+
 Definition no_bend (c : certificate) := match bend c with None => true | Some _ => false end.
 Definition accept_path (p : path_certificate) : bool :=
   forallb accept (segments p) && forallb no_bend (segments p) && all_joined (segments p) &&
+  Nat.eqb (length (starts p)) (length (segments p)) && all_meet (segments p) (starts p) &&
   forallb (fun x => check_sum (segments p) (time x) 0 0 x) (path_claims p).
 
 (* ---- The proof *)
@@ -170,11 +185,78 @@ Proof.
           by ring; exact V.
 Qed.
 
+(* x^k V has the derivative x^(k - 1) a, where V has the coefficients of a over k, k + 1, ... *)
+Fixpoint over_powers (k : positive) (a : list Q) (x : R) : R :=
+  match a with [] => 0 | c :: a => Q2R c / IZR (Zpos k) + x * over_powers (Pos.succ k) a x end.
+
+Lemma power_derivative k x : is_derive (fun x => x ^ S k) x (INR (S k) * x ^ k).
+Proof.
+  replace (INR (S k) * x ^ k) with (INR (S k) * 1 * x ^ Nat.pred (S k)) by (cbn [Nat.pred]; ring).
+  apply (is_derive_pow (fun x => x) (S k) x 1); exact (is_derive_id (K := R_AbsRing) x).
+Qed.
+
+Lemma over_powers_derivative a : forall k n x, IZR (Zpos k) = INR (S n) ->
+  is_derive (fun x => x ^ S n * over_powers k a x) x (x ^ n * value a x).
+Proof.
+  induction a as [| c a IH]; intros k n x E.
+  - apply (is_derive_ext (fun _ => 0)); [intro; simpl; ring |].
+    replace (x ^ n * value [] x) with 0 by (simpl; ring); apply @is_derive_const.
+  - pose proof (positive_real k) as P.
+    apply (is_derive_ext (fun x => Q2R c / IZR (Zpos k) * x ^ S n + x ^ S (S n) * over_powers (Pos.succ k) a x)).
+    { intro t; simpl; ring. }
+    replace (x ^ n * value (c :: a) x) with
+      (Q2R c / IZR (Zpos k) * (INR (S n) * x ^ n) + x ^ S n * value a x)
+      by (rewrite <- E; cbn [value pow]; field; lra).
+    apply @is_derive_plus; [apply is_derive_scal, power_derivative |].
+    apply IH; rewrite Pos2Z.inj_succ, succ_IZR, E, (S_INR (S n)); ring.
+Qed.
+
+Lemma integral_of_real a : forall k, Q2R (integral_of k a) = over_powers k a 1.
+Proof.
+  induction a as [| c a IH]; intro k; cbn [integral_of over_powers]; [exact at_zero_time |].
+  rewrite Qred_real, Q2R_plus, IH, Q2R_div by (unfold Qeq; simpl; discriminate).
+  replace (Q2R (inject_Z (Zpos k))) with (IZR (Zpos k)) by (unfold Q2R, inject_Z; simpl; field); ring.
+Qed.
+
+Lemma value_continuous a x : continuous (value a) x.
+Proof.
+  induction a as [| c a IH]; [apply continuous_const |].
+  apply (continuous_plus (fun _ => Q2R c) (fun x => x * value a x)); [apply continuous_const |].
+  apply (continuous_mult (fun x => x) (value a)); [apply continuous_id | exact IH].
+Qed.
+
+Lemma RInt_value a : RInt (value a) 0 1 = Q2R (integral_of 1 a).
+Proof.
+  rewrite integral_of_real; apply is_RInt_unique.
+  replace (over_powers 1 a 1) with (minus (1 ^ 1 * over_powers 1 a 1) (0 ^ 1 * over_powers 1 a 0))
+    by (unfold minus, plus, opp; simpl; ring).
+  apply (is_RInt_derive (fun x => x ^ 1 * over_powers 1 a x)); intros x _; [| apply value_continuous].
+  replace (value a x) with (x ^ 0 * value a x) by (simpl; ring); apply over_powers_derivative; reflexivity.
+Qed.
+
+Lemma meets_sound c s t : meets c s t = true -> end_of c s = real_vector t.
+Proof.
+  destruct s as [[x y] z], t as [[u v] w]; unfold meets, end_of; rewrite !andb_true_iff, !RInt_value.
+  intros [[X Y] Z]; apply Qeq_bool_eq, Qeq_eqR in X, Y, Z; rewrite Q2R_plus in X, Y, Z.
+  apply vector_eq; assumption.
+Qed.
+
+Lemma all_meet_sound l : forall s, all_meet l s = true -> forall n c p q, nth_error l n = Some c ->
+  nth_error s n = Some p -> nth_error s (S n) = Some q -> end_of c p = real_vector q.
+Proof.
+  induction l as [| d l IH]; intros [| r s] H [| n] c p q C P Q; try discriminate.
+  - destruct s as [| t s]; [discriminate |]; injection C as <-; injection P as <-; injection Q as <-.
+    cbn [all_meet] in H; apply andb_true_iff in H as [H _]; exact (meets_sound _ _ _ H).
+  - destruct s as [| t s]; [destruct n; discriminate |].
+    cbn [all_meet] in H; apply andb_true_iff in H as [_ H]; exact (IH (t :: s) H n c p q C P Q).
+Qed.
+
 Theorem accept_path_sound p : accept_path p = true -> path_statement p.
 Proof.
-  unfold accept_path; rewrite !andb_true_iff; intros [[[H N] J] C].
-  exists (parts (segments p)); split; [| split; [| split]].
-  - clear N J C; induction (segments p) as [| c l IH]; [constructor |].
+  unfold accept_path; rewrite !andb_true_iff; intros [[[[[H N] J] LEN] M] C].
+  exists (parts (segments p)); split; [| split; [apply Nat.eqb_eq, LEN | split; [exact (all_meet_sound _ _ M) |]]];
+    [| split; [| split]].
+  - clear N J C LEN M; induction (segments p) as [| c l IH]; [constructor |].
     cbn [forallb] in H; apply andb_true_iff in H as [Hc Hl].
     constructor; [exact (accepted c Hc) | exact (IH Hl)].
   - intros n a E; apply nth_error_In, in_map_iff in E as E'; destruct E' as (c & <- & I).
