@@ -50,9 +50,9 @@ class ArctanSum {
 
   /// Why sign·x + more ≤ 0 is not proved.
   std::string objection(int sign, const Rational& more, const Rational& radius) const {
-    const Rational rest = Rational(sign) * rest_ + more;
-    if (factors_.empty()) return unless(rest <= 0, wrong);
-    const long ask = std::max(0L, radius == 0 ? 0 : -binary_exponent(radius)) + 64;
+    if (factors_.empty()) return unless(Rational(sign) * rest_ + more <= 0, wrong);
+    long ask = std::max(0L, radius == 0 ? 0 : -binary_exponent(radius)) + 64;
+    for (const auto& [slope, k] : factors_) ask += bits_of(k);
     for (const long bits : {ask, ask + 256}) {
       const long precision = bits + bits_of(rest_) + 64;
       const RealBall x = phrame::add(multiply(RealBall(sign, 2), enclose(precision), precision),
@@ -137,9 +137,10 @@ std::string objection_to_writhe(const WritheClaim& claim, const std::vector<Curv
                                 const ClaimedSum& theta) {
   const Rational radius = parse_rational(claim.radius);
   const Rational rest = Rational(sum_of_signs(claim.crossings)) - parse_rational(claim.value);
+  ArctanSum turn(theta.value);
+  subtract_turn_of(turn, segments, claim.projection);
   for (const int sign : {1, -1}) {
-    ArctanSum off(theta.value);
-    subtract_turn_of(off, segments, claim.projection);
+    ArctanSum off = turn;
     off.add_half_turns(2 * (rest - Rational(sign) * radius));
     if (std::string objection = off.objection(sign, theta.radius, radius); !objection.empty())
       return objection;
