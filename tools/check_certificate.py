@@ -681,7 +681,9 @@ def work_of_closed(P, value):
         v = bits_of(*P.values["writhe"].projection)
         for C in P.segments:
             total += C.D ** 4 * (C.a + v) ** 2 // 6000
-        total += sum(bits_of(*arc.interval) ** 2 for c in P.values["writhe"].crossings for arc in (c.first, c.second))
+        most = max(C.D for C in P.segments) ** 2
+        arcs = [arc for c in P.values["writhe"].crossings for arc in (c.first, c.second)]
+        total += sum(most * bits_of(*arc.interval) ** 2 // 100 for arc in arcs)
     return total
 
 
@@ -788,8 +790,7 @@ def read_curves(name, limits):
     return curves
 
 
-PREIMAGES = ("preimage", "quaternions", "hopf", "complex")
-FORMS = (*PREIMAGES, "control_points", "position", "tangents")
+FORMS = ("preimage", "quaternions", "hopf", "complex", "control_points", "position", "tangents")
 
 
 def read_curve(value, at, limits, end):

@@ -591,14 +591,16 @@ ClosedClaims read_closed(const JsonNode& node, const std::vector<CurveSize>& siz
     closed.writhe = read_writhe(*writhe);
     add_number(closed.writhe->value, closed.writhe->radius);
     const auto& [x, y, z] = closed.writhe->projection;
+    Integer most = 0;
     for (const auto& [d, a] : sizes) {
+      most = std::max(most, d);
       const Integer bits = a + Integer(bits_of(x) + bits_of(y) + bits_of(z));
       limit.add(node, d * d * d * d * bits * bits / 6000);
     }
     for (const StatedCrossing& crossing : closed.writhe->crossings)
       for (const StatedArc* arc : {&crossing.first, &crossing.second}) {
         const Integer bits = bits_of(arc->lower) + bits_of(arc->upper);
-        limit.add(node, bits * bits);
+        limit.add(node, most * most * bits * bits / 100);
       }
   }
   return closed;
