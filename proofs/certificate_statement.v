@@ -123,7 +123,8 @@ Definition decision_statement (f k : R -> R) (A0 A0' : R -> quaternion) (d : dec
   | NotMonotone => exists s t, 0 < s < 1 /\ 0 < t < 1 /\ h (A0 s) (A0' s) < 0 < h (A0 t) (A0' t)
   end.
 
-Definition statement (c : certificate) :=
+(* With A0 the preimage without its real zeros. *)
+Definition statement_about (c : certificate) (A0 A0' : R -> quaternion) :=
   let A s := Quaternion (value (cu c) s) (value (cv c) s) (value (cp c) s) (value (cq c) s) in
   let r' s := Vector (value (cx' c) s) (value (cy' c) s) (value (cz' c) s) in
   exists A' : R -> quaternion, (forall s, quaternion_derivative A s (A' s)) /\
@@ -134,8 +135,8 @@ Definition statement (c : certificate) :=
   (* The rate. *)
   (forall s, -2 * h (A s) (A' s) = value (numerator c) s * value (common c) s /\
     sigma (A s) = value (denominator c) s * value (common c) s) /\
-  (* The preimage without its real zeros, which are those of the polynomial k. *)
-  exists (k : poly) (n : positive) (A0 A0' : R -> quaternion),
+  (* The zeros are those of the polynomial k. *)
+  exists (k : poly) (n : positive),
     is_zero k = false /\ (forall s, A s = multiple (at_real k s / IZR (Zpos n)) (A0 s)) /\
     (forall s, quaternion_derivative A0 s (A0' s)) /\
     (* e1 is along r'. *)
@@ -155,3 +156,5 @@ Definition statement (c : certificate) :=
           angles_statement (both_clear A0 (value re) (value im))
             (gamma_rate A0 A0' (value re) (value im) a' b') (claims c)
     end.
+
+Definition statement (c : certificate) := exists A0 A0' : R -> quaternion, statement_about c A0 A0'.

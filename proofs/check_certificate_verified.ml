@@ -1,5 +1,5 @@
 (* Reads certificates (docs/certificate.md), and says which of them the checker accepts that Coq has proved right
-   (verified_checker.v). What is read is not proved to be what is in the file. With --coq all of it is shown: a file
+   (verified_checker.v, of paths verified_path_checker.v). What is read is not proved to be what is in the file. With --coq all of it is shown: a file
    is written of which the theorem is what the certificate states, for coqc to prove by computing `accept` itself.
 
    Of a certificate the checker takes the curve, its invariants, the rate, gamma of the Frenet frame, the claims about
@@ -176,6 +176,7 @@ let decisions place x =
 (* What is in a file. *)
 type found = {
   certificate : A.certificate;
+  start : (A.q * A.q) * A.q;
   claims : string list; (* as they are written *)
   decisions : string list;
   left_out : string list }
@@ -208,6 +209,11 @@ let certificate place x =
   let multiplier = match find_optional "multiplier" curve with
     | Some f -> some_polynomial (at "curve/multiplier") f
     | None -> [fraction Int.unit_big_int Int.unit_big_int] in
+  let zero = fraction Int.zero_big_int Int.unit_big_int in
+  let start = match Option.map (polynomial (at "curve/start")) (find_optional "start" curve) with
+    | None -> ((zero, zero), zero)
+    | Some [a; b; c] -> ((a, b), c)
+    | Some _ -> fail (at "curve/start") "three numbers are wanted" in
   let taken, left_out = List.partition (fun (_, x) -> x <> None) (decisions (at "decisions") (inside "decisions")) in
   let certificate = {
      A.cu = coordinate "u"; A.cv = coordinate "v"; A.cp = coordinate "p"; A.cq = coordinate "q";
@@ -218,33 +224,69 @@ let certificate place x =
      A.rational = (part rational "numerator", part rational "denominator");
      A.claims = List.map snd claims;
      A.decisions = List.filter_map snd taken } in
-  { certificate; claims = List.map fst claims; decisions = List.map fst taken;
+  { certificate; start; claims = List.map fst claims; decisions = List.map fst taken;
     left_out = "the antiderivative" :: "its roots and residues" :: "the lists of zeros" :: List.map fst left_out }
+
+(* That of a path: its segments, and its claims as they are written. *)
+let path_certificate x =
+  let segments = items "/segments" (find "segments" "" x) and claims = items "/claims" (find "claims" "" x) in
+  let segment k x =
+    let found = certificate (Printf.sprintf "/segments/%d" k) x in
+    if found.certificate.A.bend <> None then fail (Printf.sprintf "/segments/%d/frame" k) "\"erf\" is wanted";
+    found in
+  if segments = [] then fail "/segments" "a segment is wanted";
+  List.mapi segment segments, List.mapi (fun k -> claim (Printf.sprintf "/claims/%d" k)) claims
 
 (* ---- What is answered *)
 
+let say quiet is_proved line =
+  if not (quiet && is_proved) then Printf.printf "%s  %s\n" (if is_proved then "proved    " else "not proved") line
+
+let say_left_out quiet what = if not quiet then Printf.printf "left out    %s\n" (String.concat ", " what)
+
 (* Whether all is accepted; what is not is looked for without claims and decisions, and with each of them alone. *)
-let judge quiet found =
+let judge ?(prefix = "") ?(is_known = false) quiet found =
   let c = found.certificate in
   let bare = { c with A.claims = []; A.decisions = [] } in
-  let say is_proved line =
-    if not (quiet && is_proved) then Printf.printf "%s  %s\n" (if is_proved then "proved    " else "not proved") line in
-  let all = A.accept c in
+  let say is_proved line = say quiet is_proved (prefix ^ line) in
+  let all = is_known || A.accept c in
   let frame = all || A.accept bare in
   say frame "the curve, its invariants, the rate, the rotation-minimizing frame on [0, 1]";
   let say_each alone = List.iter2 (fun line x -> say (all || frame && A.accept (alone x)) line) in
   say_each (fun x -> { bare with A.claims = [x] }) found.claims c.A.claims;
   say_each (fun x -> { bare with A.decisions = [x] }) found.decisions c.A.decisions;
-  if not quiet then Printf.printf "left out    %s\n" (String.concat ", " found.left_out);
   all
 
-(* The certificate as a term of Coq, and the theorem that it is true. *)
-let write_coq (c : A.certificate) =
-  let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden) in
-  let list a = "[" ^ String.concat "; " a ^ "]" in
-  let poly a = list (List.map q a) in
+let judge_curve quiet found =
+  let all = judge quiet found in
+  say_left_out quiet found.left_out;
+  all
+
+(* The same of a path: without claims, and with each of them alone. *)
+let judge_path quiet (segments, claims) =
+  let accept claims =
+    A.accept_path { A.segments = List.map (fun s -> s.certificate) segments;
+      A.starts = List.map (fun s -> s.start) segments; A.path_claims = claims } in
+  let all = accept (List.map snd claims) in
+  let each k found = ignore (judge ~prefix:(Printf.sprintf "segment %d: " k) ~is_known:all quiet found) in
+  List.iteri each segments;
+  let joined = all || accept [] in
+  say quiet joined "the segments, and that curve and frame go on from each to the next";
+  List.iter (fun (line, x) -> say quiet (all || joined && accept [x]) line) claims;
+  let add seen what = if List.mem what seen then seen else what :: seen in
+  let of_segments = List.fold_left add [] (List.concat_map (fun s -> s.left_out) segments) in
+  say_left_out quiet ("what is said of a closed path" :: List.rev of_segments);
+  all
+
+(* The certificate as a term of Coq. *)
+let q (x : A.q) = Printf.sprintf "(%s) # %s" (Int.string_of_big_int x.A.qnum) (Int.string_of_big_int x.A.qden)
+let list a = "[" ^ String.concat "; " a ^ "]"
+let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c)
+let claims_term claims =
   let claim (l : A.claim) = Printf.sprintf "Claim (%s) (%s) (%s)" (q l.A.time) (q l.A.angle) (q l.A.radius) in
-  let vector ((a, b), c) = Printf.sprintf "(%s, %s, %s)" (q a) (q b) (q c) in
+  list (List.map claim claims)
+let term (c : A.certificate) =
+  let poly a = list (List.map q a) in
   let decision = function
     | A.Regular -> "Regular" | A.NoInflection -> "NoInflection" | A.NotLine -> "NotLine" | A.NotPlanar -> "NotPlanar"
     | A.NotHelical -> "NotHelical" | A.ErfIsRmf -> "ErfIsRmf" | A.ErfIsNotRmf -> "ErfIsNotRmf"
@@ -266,13 +308,31 @@ let write_coq (c : A.certificate) =
     says "numerator, denominator, common" (List.map poly [c.A.numerator; c.A.denominator; c.A.common]);
     says "Re gamma, Im gamma, G" [bend];
     says "a fraction" [Printf.sprintf "(%s, %s)" (poly (fst c.A.rational)) (poly (snd c.A.rational))];
-    says "t, theta, radius" [list (List.map claim c.A.claims)];
+    says "t, theta, radius" [claims_term c.A.claims];
     says "decisions" [list (List.map decision c.A.decisions)]] in
-  print_string "From Coq Require Import List ZArith QArith.\nRequire Import certificate_statement verified_checker.\n\
-    Import ListNotations.\nOpen Scope Q_scope.\n\n";
-  Printf.printf "Definition the_certificate := Certificate\n%s.\n\n" (String.concat "\n" parts);
-  print_string "Theorem it_is_true : statement the_certificate.\n\
-    Proof. apply accept_sound; vm_compute; reflexivity. Qed.\n"
+  "Certificate\n" ^ String.concat "\n" parts
+
+(* The theorem that it is true. *)
+let write_head more =
+  Printf.printf "From Coq Require Import List ZArith QArith.\nRequire Import certificate_statement verified_checker%s.\n\
+    Import ListNotations.\nOpen Scope Q_scope.\n\n" more
+
+let write_theorem statement sound =
+  Printf.printf "Theorem it_is_true : %s the_certificate.\n\
+    Proof. apply %s; vm_compute; reflexivity. Qed.\n" statement sound
+
+let write_coq found =
+  write_head "";
+  Printf.printf "Definition the_certificate := %s.\n\n" (term found.certificate);
+  write_theorem "statement" "accept_sound"
+
+let write_coq_of_path (segments, claims) =
+  write_head " path_statement verified_path_checker";
+  List.iteri (fun k s -> Printf.printf "Definition segment_%d := %s.\n\n" k (term s.certificate)) segments;
+  let names = String.concat "; " (List.mapi (fun k _ -> Printf.sprintf "segment_%d" k) segments) in
+  Printf.printf "Definition the_certificate := PathCertificate\n  [%s]\n  %s\n  %s.\n\n" names
+    (list (List.map (fun s -> vector s.start) segments)) (claims_term (List.map snd claims));
+  write_theorem "path_statement" "accept_path_sound"
 
 let read name =
   let channel = if name = "-" then stdin else open_in_bin name in
@@ -283,12 +343,17 @@ let read name =
 
 (* Exit status: 0 all is accepted, 1 something is not, 2 it cannot be read. *)
 let check quiet to_coq name =
-  match certificate "" (parse (read name)) with
-  | found when to_coq -> write_coq found.certificate; 0
-  | found ->
+  let answer write judge found =
+    if to_coq then (write found; 0) else begin
       let is_accepted = judge quiet found in
       print_endline (if is_accepted then "accepted but for what is left out" else "not accepted");
       if is_accepted then 0 else 1
+    end in
+  let any x = match find "phrame" "" x with
+    | Text "path-certificate/1" -> answer write_coq_of_path judge_path (path_certificate x)
+    | _ -> answer write_coq judge_curve (certificate "" x) in
+  match any (parse (read name)) with
+  | status -> status
   | exception Malformed what -> Printf.eprintf "check_certificate_verified: %s: %s\n" name what; 2
   | exception Sys_error what -> Printf.eprintf "check_certificate_verified: %s\n" what; 2
 

@@ -317,6 +317,13 @@ Definition accept_within (depth : nat) (c : certificate) : bool :=
 
 Definition accept := accept_within 400.
 
+(* That A0. *)
+Definition without_zeros (c : certificate) : curve :=
+  let d := denominator_of (cu c ++ cv c ++ cp c ++ cq c) in
+  let A := Curve (over d (cu c)) (over d (cv c)) (over d (cp c)) (over d (cq c)) in
+  let k := common_divisor A in
+  Curve (divided (iu A) k) (divided (iv A) k) (divided (ip A) k) (divided (iq A) k).
+
 (* ---- The proof *)
 
 Lemma value_over d a x : is_over d a = true -> at_real (over d a) x = IZR (Zpos d) * value a x.
@@ -984,14 +991,15 @@ Proof.
   - apply takes_both_signs_real in H as (s & t & S & T & L & G); exists s, t; rewrite <- !at_ih; auto.
 Qed.
 
-Theorem accept_within_sound depth c : accept_within depth c = true -> statement c.
+Theorem accept_within_sound depth c : accept_within depth c = true ->
+  statement_about c (reals (without_zeros c)) (reals (derived_curve (without_zeros c))).
 Proof.
-  unfold accept_within; set (d := denominator_of (_ ++ _)); set (e := denominator_of (multiplier c)).
+  unfold accept_within, without_zeros; set (d := denominator_of (_ ++ _)); set (e := denominator_of (multiplier c)).
   set (f := over e (multiplier c)).
   set (A := Curve (over d (cu c)) (over d (cv c)) (over d (cp c)) (over d (cq c))).
   set (A' := derived_curve A).
-  set (k := common_divisor A); clearbody k.
-  set (A0 := Curve (divided _ _) (divided _ _) (divided _ _) (divided _ _)); clearbody A0.
+  set (k := common_divisor A).
+  set (A0 := Curve (divided _ _) (divided _ _) (divided _ _) (divided _ _)); clearbody A0; clearbody k.
   cbv zeta; destruct (as_integers _ _) as [n1 d1].
   rewrite !andb_true_iff, negb_true_iff.
   set (m := denominator_of (common c)); set (nn := denominator_of (numerator c)).
@@ -1058,9 +1066,9 @@ Proof.
     unfold e1; rewrite scale_scale; f_equal.
     assert (P : 0 < sigma (reals A0 t)) by (apply T; unfold within, Rmin, Rmax; destruct (Rle_dec 0 t); lra).
     field; lra. }
-  unfold statement; exists (fun s => multiple (/ IZR (Zpos d)) (reals (derived_curve A) s)).
+  unfold statement_about; exists (fun s => multiple (/ IZR (Zpos d)) (reals (derived_curve A) s)).
   split; [exact DA | split; [exact INV | split; [exact RATE |]]].
-  exists k, d, (reals A0), (reals (derived_curve A0)).
+  exists k, d.
   split; [assumption | split; [exact E0 | split; [apply reals_derivative | split; [exact ALONG | split; [| split]]]]].
   - apply erf_holds; auto using reals_derivative, reals_continuous.
   - intros x X.
@@ -1098,6 +1106,6 @@ Qed.
 
 (* If all is accepted, all is true. *)
 Theorem accept_sound c : accept c = true -> statement c.
-Proof. apply accept_within_sound. Qed.
+Proof. intro H; do 2 eexists; exact (accept_within_sound _ c H). Qed.
 
 Print Assumptions accept_sound.

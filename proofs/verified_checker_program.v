@@ -2,7 +2,7 @@
    of Zarith, by Coq's own table of their operations and the four functions below; lists, pairs and truth values those of
    OCaml. *)
 From Coq Require Import ZArith Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
-Require Import verified_checker.
+Require Import verified_checker verified_path_checker.
 
 Extract Constant Z.gcd => "Big_int_Z.gcd_big_int".
 Extract Constant Z.ggcd => "Big_int_Z.(fun a b ->
@@ -11,4 +11,4 @@ Extract Constant Z.ggcd => "Big_int_Z.(fun a b ->
 Extract Constant Z.ltb => "Big_int_Z.lt_big_int".
 Extract Constant Z.leb => "Big_int_Z.le_big_int".
 
-Extraction "accept.ml" accept.
+Extraction "accept.ml" accept accept_path.

@@ -14,14 +14,15 @@ import json
 import re
 import sys
 from fractions import Fraction
-from functools import cached_property, reduce
-from itertools import accumulate, combinations, takewhile
-from math import gcd, isqrt
+from functools import cache, cached_property, reduce
+from itertools import accumulate, combinations, combinations_with_replacement, takewhile
+from math import comb, gcd, isqrt
 from types import SimpleNamespace
 
 MAX_EXPONENT, MAX_COUNT, MAX_LENGTH = 10000, 1000000, 100000  # of decimals, of counts, of the text of a number
 MAX_DEGREE, MAX_WORK, FULL_SIZE = 1001, 2000000000, 100000  # of the curve; as the page says; bytes
 MAX_ZEROS = 20000000000  # the work of counting zeros, ten of it about a nanosecond
+MAX_PARTS, MAX_HALVINGS = 2000000000, 40  # the work of telling crossings, in nanoseconds; of a segment
 PRIMES = [(1 << 127) - 1]  # for gcds; the next ones are found as they are needed
 TAKEN = SimpleNamespace(volume=0, zeros=0)  # of this file: what was read, and the work of counting zeros
 ROOT_BITS, FINE = 256, 64  # square roots keep 128 bits; distances get 64 bits more than the grid
@@ -565,10 +566,15 @@ signs = expect(lambda x: isinstance(x, str) and set(x) <= set("+-0"),
 count = expect(lambda x: type(x) is int and abs(x) <= MAX_COUNT,
                "an integer is wanted, without quotes and not above %d" % MAX_COUNT)
 VECTOR, COMPLEX, SIZE = (rational,) * 3, (integer, integer), at_least(0, integer)
-OPTIONAL = ("name", "note", "start", "multiplier")  # all of them are keys of a curve
+OPTIONAL = ("name", "note", "start", "multiplier", "closed", "holonomy", "writhe")  # of a curve, and of a path
 AXES = ("x", "y", "z")
 ROOT = {"center": COMPLEX, "radius": SIZE, "residue": COMPLEX, "residue_radius": SIZE}
 CLAIM, TURN = {"t": rational, "theta": decimal, "radius": bound}, {"index": count, "signs": (signs, signs)}
+ARC = {"segment": at_least(0, count), "interval": (rational, rational)}
+CROSSING = {"first": ARC, "second": ARC, "sign": expect(lambda x: x in (-1, 1), "1 or -1 is wanted", count)}
+CLOSED = {"holonomy": {"turns": count, "value": decimal, "radius": bound},
+          "writhe": {"projection": expect(any, "a vector that is not 0 is wanted", VECTOR), "crossings": [CROSSING],
+                     "value": decimal, "radius": bound}}
 
 
 def form_of_curve(most, is_rational):
@@ -619,6 +625,7 @@ def work(C, D):
     logs, claims, d, is_frenet = C.antiderivative.logs, C.claims, C.decisions, C.frame == "frenet"
     n = sum(len(log.roots) for log in logs)
     a = max(p.bits() for p in C.A + [C.n, C.d] + (C.r or []))
+    C.D, C.a = D, a
     total = 50 * D ** 3 * (1 + a // 64) + D ** 2 * a ** 2 // 2 + TAKEN.volume ** 2 * (len(logs) + 1) // 63000
     total += D ** 4 * a ** 2 // 6000 if is_frenet else 0
     for log in logs:
@@ -652,7 +659,8 @@ def read_of_curve(value, place, limits):
     frenet = isinstance(value, dict) and value.get("frame") == "frenet"
     is_rational = isinstance(curve, dict) and isinstance(curve.get("multiplier"), dict)
     most, m, f, r = limits.max_degree + 1, 0, 0, None
-    K = read(form_of_curve(most, is_rational), curve, place + "/curve") if curve is not None else None
+    has_curve = isinstance(value, dict) and "curve" in value
+    K = read(form_of_curve(most, is_rational), curve, place + "/curve") if has_curve else None
     if K:
         n, d = getattr(K, "multiplier", Poly([1])), Poly([1])
         m, f = max(map(len, curve["preimage"].values())) - 1, len(curve.get("multiplier", "1")) - 1
@@ -679,8 +687,8 @@ def name_claims(claims, value):
 
 def read_of_path(value, limits):
     """The same of a path-certificate/1."""
-    P = read({"phrame": one_of("path-certificate/1"), "name": string,
-              "segments": expect(bool, "a segment is wanted", [lambda value, place: value]), "claims": [CLAIM]}, value, "")
+    P = read({"phrame": one_of("path-certificate/1"), "name": string, "segments": expect(
+        bool, "a segment is wanted", [lambda value, place: value]), "claims": [CLAIM], "closed": CLOSED}, value, "")
     name_claims(P.claims, value)
     total = sum(bits_of(c.t, c.theta, c.radius) ** 2 // 1000 + 1000 for c in P.claims)
     parts = [read_of_curve(part, "/segments/%d" % k, limits) for k, part in enumerate(P.segments)]
@@ -688,7 +696,24 @@ def read_of_path(value, limits):
     for k, C in enumerate(P.segments):
         if C.frame != "erf":
             fail("/segments/%d/frame" % k, '"erf" is wanted', C.frame)
-    return P, total + sum(works)
+    return P, total + sum(works) + work_of_closed(P, value)
+
+
+def work_of_closed(P, value):
+    """What it takes to check what is said of a closed path, but for the crossings."""
+    P.values, total = vars(P.closed) if hasattr(P, "closed") else None, 0
+    for name, x in (P.values or {}).items():
+        written, e = value["closed"][name], bits_of(x.radius)
+        x.text = "|%s - %s| <= %s" % (name, written["value"], written["radius"])
+        total += 10 * e ** 2 * len(P.segments) + bits_of(x.value) ** 2 // 1000
+    if P.values and "writhe" in P.values:
+        v = bits_of(*P.values["writhe"].projection)
+        for C in P.segments:
+            total += C.D ** 4 * (C.a + v) ** 2 // 6000
+        most = max(C.D for C in P.segments) ** 2
+        arcs = [arc for c in P.values["writhe"].crossings for arc in (c.first, c.second)]
+        total += sum(most * bits_of(*arc.interval) ** 2 // 100 for arc in arcs)
+    return total
 
 
 def read_of_integral(value, limits):
@@ -843,9 +868,8 @@ def position_of(hodograph, over, start):
 
 
 def read_curves(name, limits):
-    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 with a preimage, control points or a position, or of
-    a spline/1 of these; numbers as these files have them, but for hexadecimal ones. A segment without a start goes on
-    where the one before ends."""
+    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1, but for formulas, or of a spline/1 of these; numbers
+    as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
     is_spline = isinstance(value, dict) and isinstance(value.get("segments"), list) and value["segments"]
     for k, part in enumerate(value["segments"] if is_spline else [value]):
@@ -855,6 +879,9 @@ def read_curves(name, limits):
             end = [x(1) / W(1) for x in X]
         curves.append((hodograph, over, start, A))
     return curves
+
+
+FORMS = ("preimage", "quaternions", "hopf", "complex", "control_points", "position", "tangents")
 
 
 def read_curve(value, at, limits, end):
@@ -872,16 +899,33 @@ def read_curve(value, at, limits, end):
     def polynomial(x, place):
         return (from_bernstein if basis == "bernstein" else over_one_denominator)(numbers(x, place))
 
-    def quotient(X, W, place):
+    def columns(n):
+        """The form of n polynomials, whose coefficients are rows."""
+        def leaf(x, place):
+            rows = read([(lambda x, _: x,) * n], x, place)
+            return [polynomial(list(column), place) for column in zip(*rows)] or fail(place, "no coefficients", x)
+        return leaf
+
+    def fraction(x, place):
+        parts = {"numerator": polynomial, "denominator": nonzero(polynomial)}
+        found = read(parts if isinstance(x, dict) else polynomial, x, place)
+        return (found.numerator, found.denominator) if isinstance(x, dict) else (found, Poly([1]))
+
+    def require_equal_lengths(lists):
+        if basis == "bernstein" and len(set(map(len, lists))) > 1:
+            fail(at, "Bernstein lists of equal lengths are wanted", value)
+
+    def quotient(X, W, place, A=None):
         """Of r = X/W."""
         if not W(0) or not W(1):
             fail(place, "the weight is 0 at an end", value)
         slope = W.derivative()
         hodograph = [x.derivative() * W - x * slope for x in X]
-        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], None
+        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], A
 
-    if not isinstance(value, dict) or not any(key in value for key in ("preimage", "control_points", "position")):
-        fail(at, "a curve/1 with a preimage, control points or a position is wanted (phrame identify --print curve)", value)
+    form = [key for key in FORMS if isinstance(value, dict) and key in value]
+    if len(form) != 1:
+        fail(at, "a curve/1 with one of %s is wanted (phrame identify --print curve)" % ", ".join(FORMS), value)
     if "control_points" in value:
         points = read([(number,) * 3], value["control_points"], at + "/control_points")
         if not 1 < len(points) <= limits.max_degree + 1:
@@ -897,15 +941,32 @@ def read_curve(value, at, limits, end):
         lists = {"z": [0], "w": [1], **given}
         *X, W = [polynomial(lists.get(key), "%s/%s" % (place, key)) for key in (*AXES, "w")]
         return quotient(X, W, place)
-    preimage = read({key: polynomial for key in "uvpq"}, value["preimage"], at + "/preimage")
-    A, f = [getattr(preimage, key) for key in "uvpq"], value.get("multiplier", [1])
-    if isinstance(f, dict):
-        f = read({"numerator": polynomial, "denominator": polynomial}, f, at + "/multiplier")
-        f, over = f.numerator, f.denominator
-        if not over(0):
-            fail(at + "/multiplier", "it has a pole at t = 0", value["multiplier"])
+    given, place = value[form[0]], at + "/" + form[0]
+    if "tangents" in value:  # n.r = p: r = p n + (p'/phi') n turned, n = (2ab, a^2 - b^2)/(a^2 + b^2), phi its angle
+        lines = read({"a": polynomial, "b": polynomial, "support": fraction}, given, place)
+        a, b, (p, over) = lines.a, lines.b, lines.support
+        n, size, turn = (a * b * 2, a * a - b * b), a * a + b * b, (a.derivative() * b - a * b.derivative()) * 2
+        slope = (p.derivative() * over - p * over.derivative()) * size
+        X = [p * over * turn * n[0] - slope * n[1], p * over * turn * n[1] + slope * n[0], Poly([])]
+        W = size * over * over * turn
+        K = common(*X, W) if W else fail(place, "the normal does not turn", given)
+        return quotient([x.over(K) for x in X], W.over(K), place, [b, Poly([]), Poly([]), a])
+    if "preimage" in value:
+        A = vars(read({key: polynomial for key in "uvpq"}, given, place))
+        require_equal_lengths(given.values())
+        A = [A[key] for key in "uvpq"]
+    elif "quaternions" in value:
+        A = columns(4)(given, place)
+    elif "hopf" in value:
+        hopf = read({"alpha": columns(2), "beta": columns(2)}, given, place)
+        require_equal_lengths(given.values())
+        A = [*hopf.alpha, *hopf.beta[::-1]]
     else:
-        f, over = polynomial(f, at + "/multiplier"), Poly([1])
+        u, q = columns(2)(given, place)
+        A = [u, Poly([]), Poly([]), q]
+    f, over = fraction(value.get("multiplier", [1]), at + "/multiplier")
+    if not any(A) or not f or not over(0):
+        fail(at, "the preimage or the multiplier is 0, or has a pole at t = 0", value)
     first = next((x for x in f.c if x), 0) * next((x for x in over.c if x), 0)
     if first < 0:  # the program then takes A j and -f, so that e1 = r'/|r'|
         u, v, p, q = A
@@ -950,6 +1011,20 @@ def sturm_sequence(x, y):
         y = divmod(s[-2], y)[1].primitive() * -1
     require(s[-1].is_constant(), "the Sturm sequence does not end with a constant")
     return s
+
+
+def change_of_argument(re, im, t, sturm):
+    """(signs, index, terms) of re + i im, which is not 0: the sum of k arctan(slope) over the terms (k, slope), for the
+    slopes at t and 0, and for pi, is the change of its argument from 0 to t. `sturm` keeps the sequences."""
+    x, y = re * re(0) + im * im(0), im * re(0) - re * im(0)
+    turned = x.sign(t) == 0
+    x, y = (x - y, x + y) if turned else (x, y)
+    if turned not in sturm:
+        sturm[turned] = sturm_sequence(x, y)
+    values = [[s.sign(at) for s in sturm[turned]] for at in (0, t)]
+    signs_found = ["".join("+" if v > 0 else "-" if v < 0 else "0" for v in row) for row in values]
+    index = sign_changes(values[0]) - sign_changes(values[1])
+    return signs_found, index, [(1, y(t) / x(t)), (-1, y(0) / x(0)), (-4 * index, 1)]
 
 
 class Statements:
@@ -1140,18 +1215,9 @@ class Proof(Statements):
     def turn(self, t, turn):
         """The signs and the index are right. Returns pairs (k, slope): arg gamma(t) - arg gamma(0) is the sum
         of k arctan(slope), for the slopes y/x at t and 0, and for pi; those that are 0 are left out."""
-        re, im = self.C.bend.polynomial
-        x, y = re * re(0) + im * im(0), im * re(0) - re * im(0)
-        turned = x.sign(t) == 0
-        x, y = (x - y, x + y) if turned else (x, y)
-        if turned not in self.sturm:
-            self.sturm[turned] = sturm_sequence(x, y)
-        values = [[s.sign(at) for s in self.sturm[turned]] for at in (0, t)]
-        signs_found = ["".join("+" if v > 0 else "-" if v < 0 else "0" for v in row) for row in values]
+        signs_found, index, terms = change_of_argument(*self.C.bend.polynomial, t, self.sturm)
         require(signs_found == turn.signs, "the signs at 0 and t are %s and %s" % tuple(signs_found))
-        index = sign_changes(values[0]) - sign_changes(values[1])
         require(index == turn.index, "the index is %d" % index)
-        terms = (1, y(t) / x(t)), (-1, y(0) / x(0)), (-4 * index, 1)
         return [(k, slope) for k, slope in terms if k and slope]
 
     def claim(self, claim):
@@ -1366,6 +1432,8 @@ class PathProof(Statements):
         self.sums = self.sums_to_joints()
         for claim in self.claims:
             self.state(claim.text, self.claim, (), claim)
+        if self.C.values is not None:
+            self.lines += ClosedProof(self).run(**self.C.values)
         return self.lines
 
     def joint(self, before, after):
@@ -1398,15 +1466,18 @@ class PathProof(Statements):
     def claim(self, claim):
         """theta(t) is the sum of those of the segments up to there, its radius at least that of theirs."""
         require(0 <= claim.t <= len(self.parts), "t is not on the path")
-        k, t = self.at(claim.t)
+        theta, radius = self.sum_to(*self.at(claim.t))
+        require(abs(theta - claim.theta) + radius <= claim.radius, "it does not follow from the angles of the segments")
+
+    def sum_to(self, k, t):
+        """(theta, radius) at t of segment k."""
         require(self.is_joined(k), "rests on the joints")
         for j, part in enumerate(self.parts[:k + (t != 0)]):
             require(part.has_angles, "rests on the angles of segment %d" % j)
         last = next((c for c in self.parts[k].claims if c.t == t), None) if t else SimpleNamespace(theta=0, radius=0)
         require(last and k < len(self.sums), "the segments do not claim the angles that it is the sum of")
         theta, radius = self.sums[k]
-        is_known = abs(theta + last.theta - claim.theta) + radius + last.radius <= claim.radius
-        require(is_known, "it does not follow from the angles of the segments")
+        return theta + last.theta, radius + last.radius
 
     def place(self, t):
         k, t = self.at(t)
@@ -1425,6 +1496,237 @@ class PathProof(Statements):
     def table(self, rows):
         require(self.is_joined(len(self.parts) - 1), "rests on the joints")
         super().table(rows)
+
+
+def halves(c):
+    """The Bernstein coefficients on [0, 1/2] and [1/2, 1] of those on [0, 1], times 2^n."""
+    n, left, right = len(c) - 1, [], []
+    for k in range(n + 1):
+        left.append(c[0] << (n - k))
+        right.append(c[-1] << (n - k))
+        c = [x + y for x, y in zip(c, c[1:])]
+    return left, right[::-1]
+
+
+def bernstein_of(polys, low, high):
+    """The Bernstein coefficients on [low, high], times one positive number: integers."""
+    n, lists = max(1, *(len(a.c) - 1 for a in polys)), []
+    for a in polys:
+        c = [x / a.d for x in translated([Fraction(x) for x in a.c], low)]
+        c = [x * (high - low) ** k / comb(n, k) for k, x in enumerate(c)] + [Fraction(0)] * (n + 1 - len(c))
+        b = []
+        while c:
+            b.append(c[0])
+            c = [x + y for x, y in zip(c, c[1:])]
+        lists.append(b)
+    common = reduce(lambda d, x: d * x.denominator // gcd(d, x.denominator), (x for b in lists for x in b), 1)
+    return [[x.numerator * (common // x.denominator) for x in b] for b in lists]
+
+
+class Arc:
+    """A part of a segment as it is seen along v: Bernstein coefficients of (x, y, z, w), where (x, y)/w is the place and
+    z/w the height, and of (dx, dy), which is along the derivative; each up to a positive factor. While the w are
+    positive, the part is in the convex hull of the (x, y)/w, and its direction in the cone of the (dx, dy)."""
+
+    def __init__(self, place, slope):
+        self.place, self.slope = place, slope
+
+    @cached_property
+    def points(self):
+        """The x/w, y/w and z/w; none where a w is not positive."""
+        *lists, w = self.place
+        return [[Fraction(a, b) for a, b in zip(x, w)] for x in lists] if all(b > 0 for b in w) else None
+
+    @cached_property
+    def box(self):
+        return [(min(x), max(x)) for x in self.points or ()]
+
+    @cached_property
+    def slopes(self):
+        return list(zip(*self.slope))
+
+    def halves(self):
+        place, slope = (zip(*map(halves, lists)) for lists in (self.place, self.slope))
+        return [Arc(*part) for part in zip(place, slope)]
+
+    @cached_property
+    def bits(self):
+        return max(x.bit_length() for lists in self.place + self.slope for x in lists)
+
+
+def cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def is_forward(*arcs):
+    """Do the arcs, each from the end of the one before, stay within a right angle of where they start?"""
+    (x, y), slopes = arcs[0].slopes[0], [s for arc in arcs for s in arc.slopes]
+    return all(x * dx + y * dy > 0 for dx, dy in slopes)
+
+
+def are_apart(a, b):
+    """Do the boxes around their places not meet?"""
+    return any(p[1] < q[0] or q[1] < p[0] for p, q in zip(a.box[:2], b.box[:2]))
+
+
+def is_between_ends(arc, other):
+    """Is the arc strictly between the lines through the ends of the other one along the chord of this?"""
+    places, ends = list(zip(*arc.points)), list(zip(*other.points))
+    chord = [b - a for a, b in zip(places[0], places[-1])]
+    sides = [{(s > 0) - (s < 0) for s in (cross(chord, (p[0] - e[0], p[1] - e[1])) for p in places)}
+             for e in (ends[0], ends[-1])]
+    return sides in ([{1}, {-1}], [{-1}, {1}])
+
+
+def gamma_of(A, k):
+    """|A|^2 (k.e2 + i k.e3) for a vector k."""
+    u, v, p, q = A
+    e2 = (v * p - u * q) * 2, u * u - v * v + p * p - q * q, (u * v + p * q) * 2
+    e3 = (u * p + v * q) * 2, (p * q - u * v) * 2, u * u - v * v - p * p + q * q
+    return [reduce(Poly.__add__, (a * x for a, x in zip(e, k))) for e in (e2, e3)]
+
+
+class ClosedProof(Statements):
+    """What is said of a closed path: that it is closed, its holonomy and its writhe."""
+
+    def __init__(self, path):
+        super().__init__([])
+        self.path, self.parts, self.work = path, path.parts, 0
+
+    def run(self, holonomy=None, writhe=None):
+        self.state("closed", self.closed)
+        if holonomy:
+            self.state(holonomy.text, self.holonomy, ["closed"], holonomy)
+        if writhe:
+            self.state("crossings", self.crossings, ["closed"], writhe)
+            self.state(writhe.text, self.writhe, ["crossings"], writhe)
+        return self.lines
+
+    def closed(self):
+        """The last segment ends where the first begins, and there the preimages without their zeros are the same but for
+        a factor c + si, so that the frame of the last is that of the first, turned by 2 arg(c + si)."""
+        first, last = self.parts[0], self.parts[-1]
+        require(self.path.is_joined(len(self.parts) - 1), "rests on the joints")
+        self.path.rest_on_weights()
+        require(next(c for c in first.f.c if c) > 0, "the multiplier is negative at the start")
+        require(last.place(Fraction(1))[0] == list(first.start), "the path does not end where it begins")
+        (a, b, c, d), (u, v, p, q) = ([x.over(part.K0)(t) for x in part.C.A] for part, t in ((first, 0), (last, 1)))
+        is_along = a * p + b * q == c * u + d * v and a * q + c * v == b * p + d * u
+        require(is_along, "the tangent at the end is not that at the start")
+        self.back = a * u + b * v + c * p + d * q, a * v - b * u - c * q + d * p
+
+    def holonomy(self, holonomy):
+        """theta(end) + 2 arg(c + si) + 2 pi turns, 2 arg(c + si) being 2 arctan(s/c), or pi."""
+        (theta, P), (c, s) = self.path.sum_to(len(self.parts) - 1, 1), self.back
+        terms = [(2, s / c) if c else (4, 1), (8 * holonomy.turns, 1)]
+        self.require_within(holonomy.radius, [(theta - holonomy.value, terms, P - holonomy.radius)] * 2)
+
+    def writhe(self, writhe):
+        """linking + (theta(end) - the change of arg gamma)/2 pi, gamma = v.e2 + i v.e3."""
+        (theta, P), terms = self.path.sum_to(len(self.parts) - 1, 1), []
+        for part in self.parts:
+            gamma = gamma_of([a.over(part.K0) for a in part.C.A], writhe.projection)
+            K = common(*gamma)
+            terms += [(-k, slope) for k, slope in change_of_argument(*(a.over(K) for a in gamma), Fraction(1), {})[2]]
+        rest = sum(crossing.sign for crossing in writhe.crossings) - writhe.value
+        self.require_within(writhe.radius, [(theta, terms + [(8 * (rest + r), 1)], P)
+                                            for r in (-writhe.radius, writhe.radius)])
+
+    def require_within(self, radius, sides):
+        """x + P <= 0 for the first of (x, P), and x - P >= 0 for the second, where x = (rest, terms) is the sum of rest
+        and k arctan(slope) of the terms (k, slope). Nothing is rounded where these cancel."""
+        ask = max(0, radius.denominator.bit_length() - radius.numerator.bit_length()) + 64
+        for sign, (rest, terms, P) in zip((1, -1), sides):
+            factors = {}
+            for k, slope in terms:
+                factors[abs(slope)] = factors.get(abs(slope), 0) + (k if slope >= 0 else -k)
+            factors = {slope: k for slope, k in factors.items() if k and slope}
+            size = sum(map(abs, factors.values()))
+            for bits in (min(ask, 4096), ask + 256):
+                bits += int(size).bit_length()
+                n = sum(k * self.arctan(slope, bits) for slope, k in factors.items())
+                value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * size / (1 << bits)
+                require(value - off <= 0, "it is another one")
+                if value + off <= 0:
+                    break
+            require(value + off <= 0, "it is too close to the end of the interval")
+
+    @cache
+    def arctan(self, slope, bits):
+        return Fixed(bits).arctan(slope.numerator, slope.denominator)
+
+    def spend(self, work):
+        self.work += work
+        require(self.work <= MAX_PARTS, "parts of the curve are too close to each other, as they are seen along v")
+
+    def arc(self, k, v, low, high):
+        """The part of segment k, seen along v."""
+        part, m = self.parts[k], max(m for m in range(3) if v[m])
+        X, W = part.C.r[:3] if part.C.r else [a + Poly([1]) * s for a, s in zip(part.integrals, part.start)], part.W
+
+        def seen(a):
+            return [(a[n] * v[m] - a[m] * v[n]) * (1 if v[m] > 0 else -1) for n in ((m + 1) % 3, (m + 2) % 3)]
+        place = [*seen(X), reduce(Poly.__add__, (a * x for a, x in zip(X, v))), W]
+        place, slope = [a * (1 if W(0) > 0 else -1) for a in place], seen(part.hodograph)
+        self.spend(3000 * max(len(a.c) for a in place + slope) ** 2)
+        return Arc(bernstein_of(place, low, high), bernstein_of(slope, low, high))
+
+    def crossing(self, crossing, v):
+        """In the box there is one crossing of the two arcs, and it has that sign. They turn one way everywhere, so that
+        they cross once at most: else vectors in the two cones would be parallel. They do cross, by the theorem of
+        Poincare and Miranda, since the ends of each are on both sides of the other."""
+        arcs = crossing.first, crossing.second
+        for arc in arcs:
+            low, high = arc.interval
+            require(arc.segment < len(self.parts) and 0 <= low < high <= 1, "a box is not on the curve")
+        order = [(arc.segment, t) for arc in arcs for t in arc.interval]
+        require(order == sorted(order), "the parts of a box are not one behind the other")
+        a, b = (self.arc(arc.segment, v, *arc.interval) for arc in arcs)
+        self.spend(1000 * len(a.slopes) * len(b.slopes))
+        turns = {(s > 0) - (s < 0) for s in (cross(x, y) for x in a.slopes for y in b.slopes)}
+        require(turns in ({1}, {-1}), "the arcs of a box may be parallel")
+        require(a.box and b.box and is_between_ends(a, b) and is_between_ends(b, a), "the arcs of a box may not cross")
+        (low, high), (least, most) = a.box[2], b.box[2]
+        require(low > most or high < least, "it is not told which arc of a box is above the other")
+        require(crossing.sign == turns.pop() * (1 if low > most else -1), "a crossing has the other sign")
+
+    def crossings(self, writhe):
+        """All crossings are listed: each two parts are apart, or in a box, or go on for less than a right angle."""
+        v, boxes = writhe.projection, {}
+        for crossing in writhe.crossings:
+            self.crossing(crossing, v)
+            box = [*crossing.first.interval, *crossing.second.interval]
+            others = boxes.setdefault((crossing.first.segment, crossing.second.segment), [])
+            self.spend(5000 * len(others))
+            is_other = all(a >= other[1] or other[0] >= b or c >= other[3] or other[2] >= d
+                           for a, b, c, d in [box] for other in others)
+            require(is_other, "two boxes meet")
+            others.append(box)
+        arcs = {k: self.arc(k, v, 0, 1) for k in range(len(self.parts))}
+        pairs, depth = list(combinations_with_replacement(arcs, 2)), 0
+        while pairs:
+            pairs = [pair for pair in pairs if not self.is_told(*pair, arcs, depth, boxes)]
+            depth, numbers = depth + 1, sorted({k for pair in pairs for k in pair})
+            require(depth <= MAX_HALVINGS or not pairs, "parts of the curve meet, as they are seen along v")
+            for k in numbers:
+                self.spend(100000 + 500 * len(arcs[k].slopes) ** 2 * (1 + arcs[k].bits // 256))
+            arcs = {2 * k + side: arc for k in numbers for side, arc in enumerate(arcs[k].halves())}
+            pairs = [(a, b) for i, j in pairs for a in (2 * i, 2 * i + 1) for b in (2 * j, 2 * j + 1) if a <= b]
+
+    def is_told(self, i, j, arcs, depth, boxes):
+        a, b, count = arcs[i], arcs[j], len(self.parts) << depth
+        self.spend(10000)
+        if i == j:
+            return is_forward(a)
+        if (i + 1) % count == j or (j + 1) % count == i:
+            return is_forward(a, b) if i + 1 == j else is_forward(b, a)
+        if are_apart(a, b):
+            return True
+        others = boxes.get((i >> depth, j >> depth), [])
+        self.spend(4000 * len(others))
+        (low, high), (least, most) = ((Fraction(k % (1 << depth), 1 << depth), Fraction(k % (1 << depth) + 1, 1 << depth))
+                                      for k in (i, j))
+        return any(x <= low and high <= y and z <= least and most <= w for x, y, z, w in others)
 
 
 class IntegralProof(Statements):
@@ -1630,7 +1932,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1 with a preimage, control points or a position, or a spline/1")
+                        help="the curve it must be of: a curve/1, but for formulas, or a spline/1")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

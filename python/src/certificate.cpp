@@ -71,12 +71,16 @@ nb::object certified_path(const CertificateObject& self) {
 
 void bind_certificate(nb::module_& m, PathClass& path) {
   const auto certify_path = [](const PathObject& self, nb::handle at, nb::handle digits,
-                               nb::handle frame, nb::handle up,
-                               Flag<"length"> length) -> CertificateObject {
+                               nb::handle frame, nb::handle up, Flag<"length"> length,
+                               Flag<"holonomy"> holonomy,
+                               Flag<"writhe"> writhe) -> CertificateObject {
     const Path along = self.named.path;
     const auto ts = at.is_none() ? std::vector{along.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
+    const bool is_about_closed = holonomy || writhe;
     if (length) {
+      if (is_about_closed)
+        refuse("length", "holonomy and writhe are not beside lengths", nb::bool_(true));
       if (!frame.is_none() || !up.is_none())
         refuse("length", "the length has no frame", nb::bool_(true));
       return {without_gil([&] { return certify_length(along, ts, n); }), self.named.name};
@@ -86,6 +90,10 @@ void bind_certificate(nb::module_& m, PathClass& path) {
     const Reference reference =
         is_to_erf ? Reference::euler_rodrigues : reference_named(frame, "frame", self, up);
     const bool is_of_one = ph && ph->path.is_curve();
+    if (is_about_closed && reference != Reference::euler_rodrigues)
+      refuse(holonomy ? "holonomy" : "writhe",
+             "this is of paths of PH curves, by the angle to the Euler-Rodrigues frame",
+             nb::bool_(true));
     if (reference == Reference::up || (reference == Reference::frenet && !is_of_one)) {
       const PathAngle angle = reference == Reference::up
                                   ? angle_to_up(along, up)
@@ -93,20 +101,24 @@ void bind_certificate(nb::module_& m, PathClass& path) {
       return {without_gil([&] { return certify(angle, ts, n); }), self.named.name};
     }
     return without_gil([&]() -> CertificateObject {
-      if (is_of_one)
+      if (is_of_one && !is_about_closed)
         return {certify(ph->path.segments().front(), reference, ts, n), self.named.name};
-      return {certify(ph.value().path, ts, n), self.named.name};
+      return {certify(ph.value().path, ts, n, {holonomy, writhe}), self.named.name};
     });
   };
   path.def("certify", certify_path, argument("at") = nb::none(), argument("digits") = 50,
            argument("frame") = nb::none(), argument("up") = nb::none(), argument("length") = false,
+           argument("holonomy") = false, argument("writhe") = false,
            nb::sig("def certify(self, at: Numbers | None = None, digits: int = 50, "
-                   "frame: str | None = None, up: Vector | None = None, length: bool = False) "
-                   "-> Certificate"),
+                   "frame: str | None = None, up: Vector | None = None, length: bool = False, "
+                   "holonomy: bool = False, writhe: bool = False) -> Certificate"),
            "Angles, by default the one at the end, with what proves them, and of one PH curve what "
            "kinds it is of; or lengths from the start. The frame is \"erf\" (default of PH curves, "
            "which alone have it), \"up\" (default of others), that of the vector `up`, or "
-           "\"frenet\". Angles are of paths without corners; there are none of formulas.");
+           "\"frenet\". Angles are of paths without corners; there are none of formulas. Of a "
+           "closed path of "
+           "PH curves also the holonomy, and the writhe with all crossings that are seen along a "
+           "vector.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {

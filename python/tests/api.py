@@ -132,7 +132,7 @@ API = {
     "Path.cubic_spline": (phrame.Curve.cubic_spline, {
         "points": POINTS, "parameters": None, "ends": "natural", "spacing": "uniform", "start_derivative": None,
         "end_derivative": None, "name": ""}),
-    "Path.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf", "up": None, "length": False}),
+    "Path.certify": (QUINTIC.certify, {"at": [1], "digits": 10, "frame": "erf", "up": None, "length": False, "holonomy": False, "writhe": False}),
     "Angle.value": (THETA.value, {"t": 1, "digits": None}),
     "Angle.digits": (THETA.digits, {"t": 1, "n": 5}),
     "Angle.__call__": (THETA, {"ts": [0], "by": "t", "progress": None}),

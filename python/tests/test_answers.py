@@ -174,3 +174,18 @@ def test_certificates_of_any_curve_and_of_lengths():
         cubic.certify(length=True, frame="up")
     with pytest.raises(phrame.InputError, match="^frame: \"erf\" is of PH curves"):
         cubic.certify(frame="erf")
+
+
+# A circle in quarters: the writhe of a plane curve is 0.
+def test_a_certificate_of_a_closed_path():
+    sides = [([1, 0, -1], [0, 2]), ([0, -2], [1, 0, -1]), ([-1, 0, 1], [0, -2]), ([0, 2], [-1, 0, 1])]
+    quarters = [{"basis": "power", "position": {"x": x, "y": y, "w": [1, 0, 1]}} for x, y in sides]
+    circle = phrame.Path.from_json(json.dumps({"phrame": "spline/1", "segments": quarters}))
+    certificate = circle.certify(digits=20, holonomy=True, writhe=True)
+    assert certificate.is_proved()
+    closed = json.loads(certificate.json())["closed"]
+    assert [float(closed[key]["value"]) for key in ("holonomy", "writhe")] == [0, 0]
+    with pytest.raises(phrame.DomainError, match="does not end where it begins"):
+        QUINTIC.certify(writhe=True)
+    with pytest.raises(phrame.DomainError, match="frenet"):
+        circle.certify(frame="frenet", writhe=True)

@@ -17,15 +17,17 @@ struct CertifyOptions {
   UpOption up;
   bool of_length = false;
   long digits = 17;
+  ClosedQuery closed;
 };
 
 /// Of a path of PH curves, to the Euler–Rodrigues frame or, of one curve, to the Frenet frame.
 std::string certified(const NamedPhPath& named, Reference reference,
-                      const std::vector<Rational>& at, long digits) {
+                      const std::vector<Rational>& at, const CertifyOptions& options) {
   const auto& [path, name] = std::tie(named.path, named.name);
-  if (!path.is_curve()) return write_certificate(certify(path, at, digits), name);
-  return write_certificate(certify(path.segments().front(), reference, at, digits), name,
-                           named.near);
+  if (path.is_curve() && !options.closed.holonomy && !options.closed.writhe)
+    return write_certificate(certify(path.segments().front(), reference, at, options.digits), name,
+                             named.near);
+  return write_certificate(certify(path, at, options.digits, options.closed), name);
 }
 
 void run(const CertifyOptions& options) {
@@ -46,9 +48,13 @@ void run(const CertifyOptions& options) {
   // Of rational PH curves, too, which other angles are not measured from by themselves.
   const Reference reference =
       ph && !v && !asked ? Reference::euler_rodrigues : reference_of(path, v, asked);
+  const bool is_about_closed = options.closed.holonomy || options.closed.writhe;
+  if (is_about_closed && reference != Reference::euler_rodrigues)
+    throw InputError(options.closed.holonomy ? "--holonomy" : "--writhe",
+                     "this is of paths of PH curves, by the angle to the Euler-Rodrigues frame");
   if (reference == Reference::euler_rodrigues ||
       (reference == Reference::frenet && ph && ph->path.is_curve()))
-    return write(certified(ph.value(), reference, at, options.digits));
+    return write(certified(ph.value(), reference, at, options));
   write(write_certificate(certify(angle_to(v, path, asked), at, options.digits), named.name));
 }
 
@@ -69,6 +75,11 @@ void add_certify(Program& program) {
                      "frame e2 = v x e1/|v x e1| (default: one that is nowhere along the tangent)");
   command.add_flag("--length", options->of_length, "the length from 0 to t instead of the angle");
   command.not_with({"--frame", "--up"}, {"--length"});
+  command.add_flag("--holonomy", options->closed.holonomy,
+                   "of a closed path also the angle by which the frame comes back turned");
+  command.add_flag("--writhe", options->closed.writhe,
+                   "of a closed path also its writhe, and the crossings that a projection shows");
+  command.not_with({"--holonomy", "--writhe"}, {"--length"});
   command.set_notes(
       "Without --at and --samples that at the end. phrame verify checks the certificate, and so\n"
       "does tools/check_certificate.py, which needs Python and nothing else. Of angles to the\n"

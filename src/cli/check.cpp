@@ -169,7 +169,8 @@ SuiteRow suite_row_of(const Command& command, const CheckOptions& options,
 
 void run_suite(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const SuiteAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"svg", to_badge}});
   if (command.is_given("--start") && options.start.rule != "least")
     throw InputError("--start", "\"" + options.start.rule + "\" is for one curve, not for --suite");
   const FrameCheckOptions measure = measure_of(options);
@@ -218,6 +219,7 @@ void run_order(const Command& command, const CheckOptions& options) {
 
 void run(const Command& command, const CheckOptions& options) {
   if (options.is_suite) return run_suite(command, options);
+  if (options.print == "svg") throw InputError("--print", "\"svg\", a badge, is for --suite");
   if (options.is_order) return run_order(command, options);
   if (options.print == "latex") throw InputError("--print", "\"latex\" is for --suite and --order");
   const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
@@ -282,8 +284,8 @@ void add_check(Program& program) {
                    "of quaternions and matrices: they turn the world to the body");
   command.add_list("--header", "NAME,...", options->header,
                    "the names of the columns of a table without them");
-  command.add_format("--print", options->print, {"text", "json", "latex"},
-                     "text (default), json, or of --suite and --order latex");
+  command.add_format("--print", options->print, {"text", "json", "latex", "svg"},
+                     "text (default), json, of --suite and --order latex, of --suite svg: a badge");
   options->length.add_to(command);
   command.require_but_with("--suite", "FRAMES");
   command.not_with({"--order", "--near", "--max-corner", "--kind", "--gap", "--pick",

@@ -1,5 +1,7 @@
 #include "phrame/answer/offset_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"

@@ -31,7 +31,7 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
       {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"},       {"obj", "obj"},
       {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"},       {"gltf", "gltf"},
       {"py", "blender"},  {"nc", "gcode"},   {"ngc", "gcode"},     {"gcode", "gcode"},
-      {"tap", "gcode"},   {"step", "step"},  {"stp", "step"}};
+      {"tap", "gcode"},   {"step", "step"},  {"stp", "step"},      {"svg", "svg"}};
   return table;
 }
 
@@ -54,13 +54,13 @@ namespace {
 /// files, meshes and surfaces of others.
 bool is_well_known(const std::string& end) {
   static const std::vector<std::string> names{
-      "html", "htm",   "h",    "hpp", "v",    "jsonl", "pdf",  "ps",   "eps",   "svg",
-      "png",  "jpg",   "jpeg", "gif", "bmp",  "tif",   "tiff", "webp", "mp4",   "webm",
-      "doc",  "docx",  "odt",  "rtf", "epub", "md",    "xml",  "yaml", "yml",   "toml",
-      "xls",  "xlsx",  "ods",  "tsv", "npz",  "mat",   "h5",   "hdf5", "vtk",   "vtp",
-      "zip",  "gz",    "xz",   "zst", "tar",  "tgz",   "iges", "igs",  "brep",  "dxf",
-      "dwg",  "off",   "fbx",  "dae", "usd",  "usda",  "usdc", "usdz", "blend", "js",
-      "css",  "ipynb", "3mf",  "3ds", "3dm",  "7z",    "x3d",  "amf",  "wrl",   "bz2"};
+      "html",  "htm",  "h",   "hpp",  "v",    "jsonl", "pdf",  "ps",    "eps",  "png",
+      "jpg",   "jpeg", "gif", "bmp",  "tif",  "tiff",  "webp", "mp4",   "webm", "doc",
+      "docx",  "odt",  "rtf", "epub", "md",   "xml",   "yaml", "yml",   "toml", "xls",
+      "xlsx",  "ods",  "tsv", "npz",  "mat",  "h5",    "hdf5", "vtk",   "vtp",  "zip",
+      "gz",    "xz",   "zst", "tar",  "tgz",  "iges",  "igs",  "brep",  "dxf",  "dwg",
+      "off",   "fbx",  "dae", "usd",  "usda", "usdc",  "usdz", "blend", "js",   "css",
+      "ipynb", "3mf",  "3ds", "3dm",  "7z",   "x3d",   "amf",  "wrl",   "bz2"};
   return std::find(names.begin(), names.end(), end) != names.end();
 }
 

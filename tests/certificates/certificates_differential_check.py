@@ -62,8 +62,9 @@ def honest():
             run = subprocess.run([PROGRAM, "certify", "-", "--at", at, "--digits", digits, "--frame", frame],
                                  input=json.dumps(curve), capture_output=True, text=True, check=True)
             yield json.loads(run.stdout)
-    for path, at in (("examples/curves/closed-spline.json", "1/3,5/2,4"), ("tests/data/rational-path.json", "1/3,5/2,3")):
-        run = subprocess.run([PROGRAM, "certify", ROOT / path, "--at", at, "--digits", "12"], capture_output=True, text=True, check=True)
+    for path, *options in (("examples/curves/closed-spline.json", "--at", "1/3,5/2,4"), ("tests/data/rational-path.json", "--at", "1/3,5/2,3"),
+                           ("examples/curves/closed-spline.json", "--holonomy", "--writhe"), ("tests/data/closed-eight.json", "--holonomy", "--writhe")):
+        run = subprocess.run([PROGRAM, "certify", ROOT / path, *options, "--digits", "12"], capture_output=True, text=True, check=True)
         yield {**json.loads(run.stdout), "name": "p"}
     for curve, arguments in INTEGRALS:
         run = subprocess.run([PROGRAM, "certify", "-", *arguments], input=json.dumps(curve), capture_output=True, text=True, check=True)
@@ -104,7 +105,8 @@ def changed_text(text, chance):
 
 def change(certificate, chance):
     """One change, in place."""
-    path = chance.choice([p for p in places(certificate) if p])
+    part = "closed" if "closed" in certificate and chance.random() < 0.5 else None
+    path = chance.choice([p for p in places(certificate) if p and part in (None, p[0])])
     value, kind = at(certificate, path), chance.choice([0, 0, 0, 0, 0, 0, 3, 4, 5])
     if kind < 3 and isinstance(value, str):
         return put(certificate, path, changed_text(value, chance))
@@ -125,7 +127,7 @@ def change(certificate, chance):
     if kind == 3 and isinstance(value, dict) and value:
         if chance.random() < 0.5:
             return value.pop(chance.choice(list(value)))
-        return value.update({chance.choice(["x", "note", "name", "start", "turn", "bend", "answer"]): chance.choice(VALUES)})
+        return value.update({chance.choice(["x", "note", "name", "start", "turn", "bend", "answer", "closed", "holonomy"]): chance.choice(VALUES)})
     if kind == 4:  # something from elsewhere
         other = chance.choice([p for p in places(certificate) if p])
         return put(certificate, path, copy.deepcopy(at(certificate, other)))

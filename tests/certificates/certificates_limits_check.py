@@ -135,6 +135,7 @@ def bad():
     yield from (("curve: " + name, changed(set_at(["curve"], c))) for name, c in curves.items())
     yield from rational()
     yield from integrals()
+    yield from closed()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
@@ -222,6 +223,24 @@ def integrals():
     random_points = {"phrame": "curve/1", "control_points": [some(3, 99) for _ in range(41)]}
     yield "integral: degree 40", certified(random_points, "--digits", "17", "--length")
     yield "integral: degree 40, angle", certified({**random_points, "control_points": random_points["control_points"][:21]}, "--digits", "17", "--frame", "frenet")
+
+
+def closed():
+    """Of closed paths: a circle that is gone round twice, so that all crossings are lost, and long numbers."""
+    sides = [([1, 0, -1], [0, 2]), ([0, -2], [1, 0, -1]), ([-1, 0, 1], [0, -2]), ([0, 2], [-1, 0, 1])]
+    circle = {"phrame": "spline/1", "segments": [{"basis": "power", "position": {"x": x, "y": y, "w": [1, 0, 1]}} for x, y in sides]}
+    once = json.loads(certified(circle, "--holonomy", "--writhe"))
+    yield "closed: twice", changed(lambda c: c.update(segments=c["segments"] * 2, claims=[]), once)
+    eight = json.loads(certified(json.loads((ROOT / "tests/data/closed-eight.json").read_text()), "--holonomy", "--writhe", "--digits", "12"))
+
+    def of_writhe(**values):
+        return changed(lambda c: c["closed"]["writhe"].update(values), eight)
+    first = eight["closed"]["writhe"]["crossings"][0]
+    yield "closed: long projection", of_writhe(projection=["1/" + "7" * 3000, "1/" + "3" * 300, "1"])
+    yield "closed: long box", of_writhe(crossings=[{**first, "first": {**first["first"], "interval": ["1/" + "7" * 4000, "85/128"]}}])
+    yield "closed: many boxes", of_writhe(crossings=[first] * 130)
+    yield "closed: radius 1e-1100", of_writhe(radius="1e-1100")
+    yield "closed: value of 20000 digits", of_writhe(value="0." + "3" * 20000)
 
 
 # Every day of every third one.

@@ -164,6 +164,42 @@ def forgeries_of_weights(honest):
     yield "positions of a polynomial curve", 2, None, changed(shown_as_rational, 1)
 
 
+BERNSTEIN, POWER = ({"phrame": "curve/1", "basis": basis} for basis in ("bernstein", "power"))
+FORMS = [  # of one curve each; the frame of a plane curve does not tell A from A j
+    {**BERNSTEIN, "preimage": {"u": [2, 0, 2], "v": [1, 1, 0], "p": [0, -2, 0], "q": [1, 2, 1]}},
+    {**BERNSTEIN, "quaternions": [[2, 1, 0, 1], [0, 1, -2, "4/2"], [2, 0, 0, 1]]},
+    {**BERNSTEIN, "hopf": {"alpha": [[2, 1], [0, 1], [2, 0]], "beta": [[1, 0], [2, -2], [1, 0]]}},
+    {**POWER, "quaternions": [[2, 1, 0, 1], [-4, 0, -4, 2], [4, -1, 4, -2]]},
+    {**POWER, "hopf": {"alpha": [[1], [0, 1]]}},
+    {**BERNSTEIN, "hopf": {"alpha": [[1, 0]], "beta": [[0, 0], [1, 0]]}},
+    {**BERNSTEIN, "quaternions": []},
+    {**BERNSTEIN, "quaternions": [[0, 0, 0, 0]]},
+    {**BERNSTEIN, "quaternions": [[1, 0, 0, 0]], "complex": [[1, 0]]}]
+PLANE = [
+    {**POWER, "complex": [[1, -1], [0, "2"]], "start": [0, 1, 0]},
+    {**BERNSTEIN, "complex": [[1, -1], [1, 1]], "start": [0, 1, 0], "multiplier": [1, 1]},
+    {**POWER, "preimage": {"u": [1], "v": [0], "p": [0], "q": [-1, 2]}, "start": [0, 1, 0]}]
+TANGENTS = [
+    {**POWER, "tangents": {"a": [0, 1], "b": [1], "support": {"numerator": [1, 0, 1], "denominator": [2, 1]}}},
+    {**POWER, "tangents": {"a": [0, "3/3"], "b": [1], "support": {"numerator": [1, 0, 1], "denominator": ["2", "1"]}}},
+    {**BERNSTEIN, "tangents": {"a": [0, 1], "b": [1], "support": {"numerator": [1, 1, 2], "denominator": [2, 3]}}},
+    {**POWER, "tangents": {"a": [1], "b": [1], "support": [1]}},
+    {**POWER, "tangents": {"a": [0, 1], "b": [1], "support": {"numerator": [1], "denominator": []}}}]
+
+
+def check_forms(folder):
+    """A certificate of the first of some files is one of all of them that have that curve, and what is no curve is refused."""
+    given, certificate = folder / "given.json", folder / "given.cert"
+    for forms, same, other in ((FORMS, 4, PLANE[0]), (PLANE, 3, TANGENTS[0]), (TANGENTS, 3, FORMS[1])):
+        given.write_text(json.dumps(forms[0]))
+        phrame("certify", given, "--digits", "8", "-o", certificate)
+        for k, form in enumerate(forms):
+            given.write_text(json.dumps(form))
+            expect(0 if k < same else 2, json.dumps(form), certificate, curve=given)
+        given.write_text(json.dumps(other))
+        expect(1, "another curve", certificate, curve=given, line="curve of")
+
+
 def main():
     tried = 0
     with tempfile.TemporaryDirectory() as folder:
@@ -171,6 +207,7 @@ def main():
         points.write_text("0,0,0\n1,2,0\n3,2,1\n4,0,3\n")
         phrame("construct", points, "-o", curve)
         rational = ROOT / "tests/data/rational-path.json"
+        check_forms(Path(folder))
         for path, at in ((curve, AT), (ROOT / "examples/curves/closed-spline.json", "0,1,7/3,3,4"), (rational, AT)):
             phrame("certify", path, "--at", at, "--digits", "30", "-o", certificate)
             expect(0, path.name, certificate)

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 from pathlib import Path
 
 PROGRAM = os.environ["PHRAME_PROGRAM"]
@@ -38,6 +39,20 @@ def programs(folder):
 def suite(tables):
     found = json.loads(phrame("check", "--suite", tables, "--print", "json", status=1))  # not all curves have tables
     return {group["name"]: group for group in found["groups"]}, {row["name"]: row for row in found["curves"]}
+
+
+def check_badge(folder, tables, every):
+    """What it says in words is what the JSON of all says; -o NAME.svg is one."""
+    badge = folder / "badge.svg"
+    phrame("check", "--suite", tables, "-o", badge, status=1)
+    root = xml.etree.ElementTree.fromstring(badge.read_text())
+    title, *_, right = [x.text for x in root.iter() if x.tag.endswith(("}title", "}text"))]
+    curves = len(phrame("reference", "--list").splitlines()) - 1
+    assert right == "%d of %d, error %s" % (every["passed"], curves, every["max_error"]), right
+    assert "%d of %d curves pass, to within 1/1000000;" % (every["passed"], curves) in title
+    assert title.endswith("without a verdict: %d; without a table: %d" % (every["failures"], curves - every["curves"])), title
+    assert badge.read_text() == phrame("check", "--suite", tables, "--print", "svg", status=1)
+    phrame("check", ROOT / "examples/curves/plane-cubic.json", "frames.csv", "--print", "svg", status=2)
 
 
 def main():
@@ -70,6 +85,7 @@ def main():
         text = phrame("check", "--suite", mine, status=1)
         assert "\n  rational-frames  " in text and "Without a verdict\n  rational-frames-02: " in text
         latex = phrame("check", "--suite", mine, "--print", "latex", status=1)
+        check_badge(folder, mine, groups[""])
         assert latex.startswith("\\begin{tabular}{lrrrrrrr}\ngroup & ") and latex.isascii(), latex
         exact = folder / "collection/frames"
         assert json.loads(phrame("check", "--suite", exact, "--start", "least", "--tol", "1e-13", "--print", "json", status=1))["groups"][-1]["passed"] > 15

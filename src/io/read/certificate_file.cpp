@@ -129,6 +129,10 @@ class CertificateReader {
   }
 
   const WrittenCurve& curve() const { return curve_; }
+  /// @{ D and a of docs/certificate.md.
+  long longest() const { return longest_; }
+  long bits() const { return bits_; }
+  /// @}
   const std::string& name() const { return name_; }
 
   Integer integer(const JsonNode& node) {
@@ -355,7 +359,14 @@ Reference read_frame(const JsonNode& node) {
       fmt::format("the frame is \"erf\" or \"frenet\", not \"{}\"", abbreviated(node.string())));
 }
 
-NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, WorkLimit& limit) {
+/// What the curves of a path say of the work on it as a whole.
+struct CurveSize {
+  Integer longest;  ///< D of docs/certificate.md
+  Integer bits;     ///< a
+};
+
+NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, WorkLimit& limit,
+                               CurveSize* size = nullptr) {
   if (const JsonNode format = node.at("phrame"); format.string() != "certificate/1")
     format.fail(
         fmt::format("the format is \"certificate/1\", not \"{}\"", abbreviated(format.string())));
@@ -402,6 +413,7 @@ NamedCertificate read_of_curve(const JsonNode& node, const CurveLimits& limits, 
     c.bend = {read.gaussian(bend.at("polynomial")), polynomial(bend.at("content"))};
   }
   limit.add(node, read.work(is_frenet));
+  if (size != nullptr) *size = {read.longest(), read.bits()};
   c.curve = curve_of(read.curve(), node);
   return {read.name(), std::move(c)};
 }
@@ -417,24 +429,89 @@ AngleClaim read_path_claim(const JsonNode& node, WorkLimit& limit) {
   return claim;
 }
 
+StatedArc read_arc(const JsonNode& node) {
+  node.require_known_keys({"segment", "interval"});
+  const auto ends = read_list(node.at("interval"), read_exact);
+  if (ends.size() != 2) node.at("interval").fail("the two ends are wanted");
+  return {read_count(node.at("segment"), 0, most_certificate_count), ends[0], ends[1]};
+}
+
+StatedCrossing read_crossing(const JsonNode& node) {
+  node.require_known_keys({"first", "second", "sign"});
+  const long sign = read_count(node.at("sign"), -1, 1);
+  if (sign == 0) node.at("sign").fail("1 or -1 is wanted");
+  return {read_arc(node.at("first")), read_arc(node.at("second")), static_cast<int>(sign)};
+}
+
+WritheClaim read_writhe(const JsonNode& node) {
+  node.require_known_keys({"projection", "crossings", "value", "radius"});
+  const auto v = read_list(node.at("projection"), read_exact);
+  if (v.size() != 3) node.at("projection").fail(fmt::format("3 numbers, not {}", v.size()));
+  if (std::ranges::all_of(v, [](const Rational& x) { return x == 0; }))
+    node.at("projection").fail("the vector is 0");
+  return {{v[0], v[1], v[2]},
+          read_list(node.at("crossings"), read_crossing),
+          read_decimal(node.at("value")),
+          read_radius(node.at("radius"))};
+}
+
+/// What is said of a closed path, and the work that it is but for the search for crossings.
+ClosedClaims read_closed(const JsonNode& node, const std::vector<CurveSize>& sizes,
+                         WorkLimit& limit) {
+  node.require_known_keys({"holonomy", "writhe"});
+  ClosedClaims closed;
+  const auto add_number = [&](const std::string& value, const std::string& radius) {
+    const Integer e = bits_of(parse_rational(radius));
+    const Integer b = bits_of(parse_rational(value));
+    limit.add(node, 10 * e * e * Integer(sizes.size()) + b * b / 1000);
+  };
+  if (const auto holonomy = node.find("holonomy")) {
+    holonomy->require_known_keys({"turns", "value", "radius"});
+    closed.holonomy = {
+        read_count(holonomy->at("turns"), -most_certificate_count, most_certificate_count),
+        read_decimal(holonomy->at("value")), read_radius(holonomy->at("radius"))};
+    add_number(closed.holonomy->value, closed.holonomy->radius);
+  }
+  if (const auto writhe = node.find("writhe")) {
+    closed.writhe = read_writhe(*writhe);
+    add_number(closed.writhe->value, closed.writhe->radius);
+    const auto& [x, y, z] = closed.writhe->projection;
+    Integer most = 0;
+    for (const auto& [d, a] : sizes) {
+      most = std::max(most, d);
+      const Integer bits = a + Integer(bits_of(x) + bits_of(y) + bits_of(z));
+      limit.add(node, d * d * d * d * bits * bits / 6000);
+    }
+    for (const StatedCrossing& crossing : closed.writhe->crossings)
+      for (const StatedArc* arc : {&crossing.first, &crossing.second}) {
+        const Integer bits = bits_of(arc->lower) + bits_of(arc->upper);
+        limit.add(node, most * most * bits * bits / 100);
+      }
+  }
+  return closed;
+}
+
 NamedPathCertificate read_of_path(const JsonNode& node, const CurveLimits& limits,
                                   WorkLimit& limit) {
-  node.require_known_keys({"phrame", "name", "segments", "claims"});
+  node.require_known_keys({"phrame", "name", "segments", "claims", "closed"});
   NamedPathCertificate found;
   if (const auto name = node.find("name")) found.name = name->string();
   const JsonNode list = node.at("segments");
   list.require(Kind::array, "an array");
   if (list.size() == 0) list.fail("a path has at least one segment");
+  std::vector<CurveSize> sizes;
   for (std::size_t k = 0; k < list.size(); ++k) {
     const JsonNode item = list.item(k);
     item.require(Kind::object, "an object");
-    Certificate segment = read_of_curve(item, limits, limit).certificate;
+    Certificate segment = read_of_curve(item, limits, limit, &sizes.emplace_back()).certificate;
     if (segment.reference != Reference::euler_rodrigues)
       item.at("frame").fail("the frame of segments is \"erf\"");
     found.certificate.segments.push_back(std::move(segment));
   }
   found.certificate.claims = read_list(
       node.at("claims"), [&](const JsonNode& item) { return read_path_claim(item, limit); });
+  if (const auto closed = node.find("closed"))
+    found.certificate.closed = read_closed(*closed, sizes, limit);
   return found;
 }
 

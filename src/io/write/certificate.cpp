@@ -127,6 +127,27 @@ JsonOutput json_of(const Certificate& c, const std::string& name,
   return json;
 }
 
+JsonOutput json_of(const StatedArc& arc) {
+  return {{"segment", arc.segment}, {"interval", {to_string(arc.lower), to_string(arc.upper)}}};
+}
+
+JsonOutput json_of(const ClosedClaims& closed) {
+  JsonOutput json = JsonOutput::object();
+  if (const auto& claim = closed.holonomy)
+    json["holonomy"] = {
+        {"turns", claim->turns}, {"value", claim->value}, {"radius", claim->radius}};
+  if (const auto& claim = closed.writhe) {
+    const auto crossing = [](const StatedCrossing& c) -> JsonOutput {
+      return {{"first", json_of(c.first)}, {"second", json_of(c.second)}, {"sign", c.sign}};
+    };
+    json["writhe"] = {{"projection", phrame::json_of(claim->projection)},
+                      {"crossings", array_of(claim->crossings, crossing)},
+                      {"value", claim->value},
+                      {"radius", claim->radius}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string write_certificate(const Certificate& certificate, const std::string& name,
@@ -141,6 +162,7 @@ std::string write_certificate(const PathCertificate& certificate, const std::str
                               [](const Certificate& c) { return json_of(c, "", std::nullopt); });
   json["claims"] =
       array_of(certificate.claims, [](const AngleClaim& claim) { return json_of(claim); });
+  if (certificate.closed) json["closed"] = json_of(*certificate.closed);
   return pretty(json);
 }
 

@@ -9,6 +9,9 @@ namespace phrame::inline v0 {
 std::string to_text(const SuiteAnswer& answer);
 std::string to_json(const SuiteAnswer& answer);   ///< suite/1
 std::string to_latex(const SuiteAnswer& answer);  ///< a tabular with a row for each group
+/// A badge in SVG: of how many curves of the collection of this version the frames pass, and the
+/// largest error.
+std::string to_badge(const SuiteAnswer& answer);
 
 /// A row for each step.
 std::string to_text(const OrderAnswer& answer);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -20,16 +18,6 @@
 
 namespace phrame::inline v0 {
 namespace {
-
-const std::array<Vector<Rational>, 9> projections{{{0, 0, 1},
-                                                   {1, 2, 5},
-                                                   {-3, 1, 4},
-                                                   {5, 3, -2},
-                                                   {2, -7, 3},
-                                                   {7, 4, 1},
-                                                   {1, -11, -6},
-                                                   {-13, 5, 17},
-                                                   {19, -23, 29}}};
 
 /// The signs of the multiplier. Throws DomainError where a curve that is not PH has a cusp.
 Signs signs_along(const Segment& segment) {
@@ -58,6 +46,19 @@ RealBall in_turns(const RealBall& angle, long bits) {
 
 }  // namespace
 
+const std::array<Vector<Rational>, 9>& writhe_projections() {
+  static const std::array<Vector<Rational>, 9> list{{{0, 0, 1},
+                                                     {1, 2, 5},
+                                                     {-3, 1, 4},
+                                                     {5, 3, -2},
+                                                     {2, -7, 3},
+                                                     {7, 4, 1},
+                                                     {1, -11, -6},
+                                                     {-13, 5, 17},
+                                                     {19, -23, 29}}};
+  return list;
+}
+
 std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>& v) {
   check_closed(path);
   std::optional<PathAngle> angle;
@@ -78,7 +79,7 @@ std::optional<ClosedFrame> closed_frame(const Path& path, const Vector<Rational>
 }
 
 ClosedFrame closed_frame(const Path& path) {
-  for (const Vector<Rational>& v : projections)
+  for (const Vector<Rational>& v : writhe_projections())
     if (auto frame = closed_frame(path, v)) return *std::move(frame);
   throw Undecided(
       "the crossings of the curve are not told apart within arcs of 2^-30 of it, by 9 projections: "
@@ -120,7 +121,7 @@ long linking_number(const Path& first, const Path& second) {
 }
 
 long linking_number(const CurveSeries& first, const CurveSeries& second) {
-  for (const Vector<Rational>& v : projections)
+  for (const Vector<Rational>& v : writhe_projections())
     if (const auto crossings = mutual_crossings(first, second, v))
       return sum_of_signs(*crossings) / 2;
   throw Undecided(

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "phrame/algebra/real.hpp"
 #include "phrame/export.hpp"
 #include "phrame/ph/curve/path.hpp"
@@ -19,6 +21,9 @@ struct ClosedFrame {
   /// one that is carried by the least rotation.
   Real twist;
 };
+
+/// The v that closed_frame() tries, one after the other.
+PHRAME_API const std::array<Vector<Rational>, 9>& writhe_projections();
 
 /// The frame of the first of a few v that decides everything. Throws DomainError where the curve is
 /// not closed or has a cusp, unless it is that of a PH curve which does not turn back there;

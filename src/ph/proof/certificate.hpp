@@ -1,6 +1,7 @@
 #pragma once
 #include "phrame/integrate/root_discs.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/proof/closed_claims.hpp"
 #include "phrame/ph/proof/stated_decisions.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
@@ -55,8 +56,9 @@ struct Certificate {
 /// the Euler–Rodrigues frame is the sum of those of the segments. What proves them are the
 /// certificates of these, with the angles that the sums need (docs/certificate.md).
 struct PathCertificate {
-  std::vector<Certificate> segments;  ///< at least one, each to the Euler–Rodrigues frame
-  std::vector<AngleClaim> claims;     ///< of t from 0 to the number of segments
+  std::vector<Certificate> segments;        ///< at least one, each to the Euler–Rodrigues frame
+  std::vector<AngleClaim> claims;           ///< of t from 0 to the number of segments
+  std::optional<ClosedClaims> closed = {};  ///< of a closed path
   friend bool operator==(const PathCertificate&, const PathCertificate&) = default;
 };
 

@@ -14,21 +14,16 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/closed_certificate.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
-/// A number and what it may be off.
-struct ClaimedSum {
-  Rational value = 0;
-  Rational radius = 0;
-
-  void add(const AngleClaim& claim) {
-    value += parse_rational(claim.theta);
-    radius += parse_rational(claim.radius);
-  }
-};
+void add(ClaimedSum& sum, const AngleClaim& claim) {
+  sum.value += parse_rational(claim.theta);
+  sum.radius += parse_rational(claim.radius);
+}
 
 /// The first claim about t; null where there is none.
 const AngleClaim* claim_at(const Certificate& c, const Rational& t) {
@@ -65,7 +60,7 @@ class SegmentSums {
       const AngleClaim* whole = claim_at(segments[k], 1);
       if (whole == nullptr) return;
       to_joint_[k + 1] = to_joint_[k];
-      to_joint_[k + 1].add(*whole);
+      add(to_joint_[k + 1], *whole);
       ++known_;
     }
   }
@@ -77,7 +72,7 @@ class SegmentSums {
     if (t.t == 0) return sum;
     const AngleClaim* part = claim_at(segments_[t.segment], t.t);
     if (part == nullptr) return std::nullopt;
-    sum.add(*part);
+    add(sum, *part);
     return sum;
   }
 
@@ -86,6 +81,12 @@ class SegmentSums {
   std::vector<ClaimedSum> to_joint_;
   std::size_t known_ = 0;  ///< the last joint up to which all segments claim their end
 };
+
+std::vector<Curve> curves_of(const PathCertificate& c) {
+  std::vector<Curve> curves;
+  for (const Certificate& segment : c.segments) curves.push_back(segment.curve);
+  return curves;
+}
 
 bool follows(const AngleClaim& claim, const ClaimedSum& sum) {
   return abs(sum.value - parse_rational(claim.theta)) + sum.radius <= parse_rational(claim.radius);
@@ -106,7 +107,8 @@ AngleClaim rounded_claim(const Real& theta, const Rational& t, long digits) {
 
 }  // namespace
 
-PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, long digits) {
+PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, long digits,
+                        const ClosedQuery& query) {
   const auto& curves = path.segments();
   if (!path.corners().empty())
     throw DomainError(
@@ -116,14 +118,21 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
   const PathAngle angle(Path(path), Reference::euler_rodrigues);
   PathCertificate certificate;
   std::vector<std::vector<Rational>> places(curves.size());
-  for (const Rational& t : at) {
-    const PathParameter place = locate_inside(path, t);
-    certificate.claims.push_back(rounded_claim(angle.value(t), t, digits));
-    const auto ask = [&](std::size_t k, const Rational& s) {
+  const auto ask = [&](const PathParameter& place) {
+    const auto ask_of = [&](std::size_t k, const Rational& s) {
       if (std::ranges::find(places[k], s) == places[k].end()) places[k].push_back(s);
     };
-    for (std::size_t k = 0; k < place.segment; ++k) ask(k, 1);
-    if (place.t != 0) ask(place.segment, place.t);
+    for (std::size_t k = 0; k < place.segment; ++k) ask_of(k, 1);
+    if (place.t != 0) ask_of(place.segment, place.t);
+  };
+  for (const Rational& t : at) {
+    ask(locate_inside(path, t));
+    certificate.claims.push_back(rounded_claim(angle.value(t), t, digits));
+  }
+  const bool is_about_closed = query.holonomy || query.writhe;
+  if (is_about_closed) {
+    ask({curves.size() - 1, 1});
+    certificate.closed = closed_claims(path, query, digits);
   }
   for (const long more : {4L, 16L, 64L, 256L}) {
     const long of_count = static_cast<long>(std::to_string(curves.size()).size());
@@ -132,9 +141,12 @@ PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, lon
       certificate.segments.push_back(
           certify(curves[k], Reference::euler_rodrigues, places[k], digits + of_count + more));
     const SegmentSums sums(certificate.segments);
-    if (std::ranges::all_of(certificate.claims, [&](const AngleClaim& claim) {
-          return follows(claim, sums.at(locate_inside(path, claim.t)).value());
-        }))
+    const auto is_told = [&](const AngleClaim& claim) {
+      return follows(claim, sums.at(locate_inside(path, claim.t)).value());
+    };
+    if (std::ranges::all_of(certificate.claims, is_told) &&
+        (!is_about_closed ||
+         complete(*certificate.closed, curves, sums.at({curves.size() - 1, 1}).value())))
       return certificate;
   }
   throw Undecided(
@@ -158,20 +170,30 @@ std::vector<Statement> verify(const PathCertificate& c) {
     list.push_back({fmt::format("joint {}", k), objection});
   }
   const SegmentSums sums(c.segments);
+  const auto sum_at = [&](const PathParameter& at) -> std::variant<ClaimedSum, std::string> {
+    if (at.segment > joined) return "rests on the joints";
+    if (proved < at.segment + (at.t == 0 ? 0 : 1))
+      return fmt::format("rests on the angles of segment {}", proved);
+    const auto sum = sums.at(at);
+    if (!sum) return "the segments do not claim the angles that it is the sum of";
+    return *sum;
+  };
   for (const AngleClaim& claim : c.claims) {
     const auto objection = [&]() -> std::string {
       if (claim.t < 0 || claim.t > Rational(static_cast<long>(c.segments.size())))
         return "t is not on the path";
-      const PathParameter at = locate_inside(c.segments.size(), claim.t);
-      if (at.segment > joined) return "rests on the joints";
-      if (proved < at.segment + (at.t == 0 ? 0 : 1))
-        return fmt::format("rests on the angles of segment {}", proved);
-      const auto sum = sums.at(at);
-      if (!sum) return "the segments do not claim the angles that it is the sum of";
-      return follows(claim, *sum) ? "" : "it does not follow from the angles of the segments";
+      const auto sum = sum_at(locate_inside(c.segments.size(), claim.t));
+      if (const auto* why = std::get_if<std::string>(&sum)) return *why;
+      return follows(claim, std::get<ClaimedSum>(sum))
+                 ? ""
+                 : "it does not follow from the angles of the segments";
     };
     list.push_back({claim, objection()});
   }
+  const std::size_t last = c.segments.size() - 1;
+  if (c.closed)
+    std::ranges::move(verify(*c.closed, curves_of(c), joined == last, sum_at({last, 1})),
+                      std::back_inserter(list));
   return list;
 }
 

@@ -9,11 +9,19 @@
 
 namespace phrame::inline v0 {
 
+/// What is asked of a path that is closed with a continuous tangent.
+struct ClosedQuery {
+  bool holonomy = false;  ///< PathAngle::holonomy()
+  bool writhe = false;    ///< writhe(), with all crossings that a projection shows
+};
+
 /// The certificate of θ(t), correctly rounded to `digits` ≥ 1 significant digits, at each t on the
-/// path. The same on every machine. Throws DomainError for a path with corners and for a t that is
-/// not on it, Undecided where the sums are not told with some hundred more digits.
-PHRAME_API PathCertificate certify(const PhPath& path, const std::vector<Rational>& at,
-                                   long digits);
+/// path, and likewise of what is asked of a closed one. The same on every machine. Throws
+/// DomainError for a path with corners, for a t that is not on it and for one that is not closed;
+/// Undecided where the sums are not told with some hundred more digits, and where none of a few
+/// projections tells the crossings.
+PHRAME_API PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, long digits,
+                                   const ClosedQuery& closed = {});
 
 /// Decides every statement: those of the segments, as verify() of a certificate does, that each
 /// begins where the one before ends, with its Euler–Rodrigues frame, and the sums.
