@@ -383,8 +383,7 @@ TEST_CASE("program: no message begins with the name of a function") {
                 "phrame: proof: the preimage has a zero between 0 and t = 1,");
   here.write("table.csv", "t,x,y,z\n0,0,0,0\n");
   check_failure(here.run("certify table.csv"), 2,
-                "phrame: table.csv:line 2: there is one point; a curve needs two at least
-");
+                "phrame: table.csv:line 2: there is one point; a curve needs two at least\n");
   check_failure(here.run("verify table.csv"), 2,
                 "phrame: table.csv:1:2: a certificate is JSON, this begins with \"t,x,y,z\"\n");
   check_failure(here.run("check line.json ."), 2, "phrame: .: is a directory, not a file\n");
