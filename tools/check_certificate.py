@@ -1554,7 +1554,7 @@ class Arc:
         return max(x.bit_length() for lists in self.place + self.slope for x in lists)
 
 
-def cross(a, b):
+def cross_in_plane(a, b):
     return a[0] * b[1] - a[1] * b[0]
 
 
@@ -1573,7 +1573,7 @@ def is_between_ends(arc, other):
     """Is the arc strictly between the lines through the ends of the other one along the chord of this?"""
     places, ends = list(zip(*arc.points)), list(zip(*other.points))
     chord = [b - a for a, b in zip(places[0], places[-1])]
-    sides = [{(s > 0) - (s < 0) for s in (cross(chord, (p[0] - e[0], p[1] - e[1])) for p in places)}
+    sides = [{(s > 0) - (s < 0) for s in (cross_in_plane(chord, (p[0] - e[0], p[1] - e[1])) for p in places)}
              for e in (ends[0], ends[-1])]
     return sides in ([{1}, {-1}], [{-1}, {1}])
 
@@ -1683,7 +1683,7 @@ class ClosedProof(Statements):
         require(order == sorted(order), "the parts of a box are not one behind the other")
         a, b = (self.arc(arc.segment, v, *arc.interval) for arc in arcs)
         self.spend(1000 * len(a.slopes) * len(b.slopes))
-        turns = {(s > 0) - (s < 0) for s in (cross(x, y) for x in a.slopes for y in b.slopes)}
+        turns = {(s > 0) - (s < 0) for s in (cross_in_plane(x, y) for x in a.slopes for y in b.slopes)}
         require(turns in ({1}, {-1}), "the arcs of a box may be parallel")
         require(a.box and b.box and is_between_ends(a, b) and is_between_ends(b, a), "the arcs of a box may not cross")
         (low, high), (least, most) = a.box[2], b.box[2]

@@ -187,5 +187,5 @@ def test_a_certificate_of_a_closed_path():
     assert [float(closed[key]["value"]) for key in ("holonomy", "writhe")] == [0, 0]
     with pytest.raises(phrame.DomainError, match="does not end where it begins"):
         QUINTIC.certify(writhe=True)
-    with pytest.raises(phrame.DomainError, match="frenet"):
+    with pytest.raises(phrame.InputError, match="^writhe: .*Euler-Rodrigues"):
         circle.certify(frame="frenet", writhe=True)
