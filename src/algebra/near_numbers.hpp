@@ -83,7 +83,7 @@ template <std::size_t width, class T, std::size_t count>
                    underflow_error * (1 + piece.steepness);
     const T inside = piece.steepness == 0 ? of_piece : (of_piece + of_t) * (1 + 0x1p-40);
     const T nothing = T{} + std::numeric_limits<double>::infinity();
-    const T beside = (most_y <= 1 - 0x1p-30) & (most_z <= 0x1p-31) ? inside : nothing;
+    const T beside = ((most_y <= 1 - 0x1p-30) & (most_z <= 0x1p-31)) ? inside : nothing;
     near.errors[i] = most_z == 0.0 ? of_piece : beside;
   }
   return near;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 
 namespace phrame::inline v0 {

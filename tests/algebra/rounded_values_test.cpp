@@ -48,7 +48,7 @@ TEST_CASE("rounded values: law: the nearest doubles, the same by whatever the pr
     while (random.integer(0, 60) != 0)
       t.push_back(std::ldexp(static_cast<double>(random.integer(0, 1L << 53)), -53));
     if (random.chance(2)) std::sort(t.begin(), t.end());
-    for (const std::size_t at_once : {2, 4, 8}) {
+    for (const std::size_t at_once : {2U, 4U, 8U}) {
       if (at_once > widest()) continue;
       CAPTURE(at_once);
       std::vector<double> values(t.size());
@@ -81,7 +81,7 @@ TEST_CASE("rounded values: law: of near numbers those that are told are the near
   for_samples(20, [&](Random& random) {
     const Known known(random, 0);
     std::vector<Rational> exact;
-    NearNumbers t(random.integer(1, 60), 0);
+    NearNumbers t(static_cast<std::size_t>(random.integer(1, 60)), 0);
     for (std::size_t k = 0; k < t.size(); ++k) {
       const bool is_near_end = random.chance(4);
       const double end = known.p.ends()[static_cast<std::size_t>(
@@ -95,7 +95,7 @@ TEST_CASE("rounded values: law: of near numbers those that are told are the near
       t.set(k, {{high, low}, error});
       exact.push_back(exact_rational(high) + exact_rational(low));
     }
-    for (const std::size_t at_once : {2, 4, 8}) {
+    for (const std::size_t at_once : {2U, 4U, 8U}) {
       if (at_once > widest()) continue;
       CAPTURE(at_once);
       std::vector<double> values(t.size());

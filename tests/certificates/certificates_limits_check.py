@@ -244,7 +244,7 @@ def closed():
 
 
 # Every day of every third one.
-EVERY = 1 if os.environ.get("PHRAME_LIMITS") or int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1 else 3
+EVERY = 1 if os.environ.get("PHRAME_LIMITS") or int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1 else 5
 
 
 def limit():

@@ -148,7 +148,7 @@ std::vector<RationalCurve> GaugeOffsets::end_cap(const Rational& d) const {
   const auto half = [&](const Rational& sign) -> GaugeParameter {
     return {from.p + sign * to.p, from.q + sign * to.q};
   };
-  const auto is_ahead = [&](const GaugeParameter& at) {
+  const auto is_ahead = [&, &gauge = gauge](const GaugeParameter& at) {
     return cross(value(gauge, from), value(gauge, at)).sign() == d.sign();
   };
   const GaugeParameter ahead = is_ahead(half(1)) ? half(1) : half(-1);

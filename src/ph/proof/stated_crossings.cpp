@@ -153,7 +153,7 @@ class SeenArc {
     const auto& [x, y, z] = points_;
     const Rational dx = x.back() - x.front();
     const Rational dy = y.back() - y.front();
-    const auto side = [&](const Rational& a, const Rational& b) {
+    const auto side = [&, &x = x, &y = y](const Rational& a, const Rational& b) {
       std::set<int> signs;
       for (std::size_t k = 0; k < x.size(); ++k)
         signs.insert(Rational(dx * (y[k] - b) - dy * (x[k] - a)).sign());
@@ -279,7 +279,7 @@ class CrossingsProof {
       return box.lower <= Rational(low) / Rational(unit) &&
              Rational(low + 1) / Rational(unit) <= box.upper;
     };
-    return std::ranges::any_of(found->second, [&](const StatedCrossing* box) {
+    return std::ranges::any_of(found->second, [&, i = i, j = j](const StatedCrossing* box) {
       return is_in(i, box->first) && is_in(j, box->second);
     });
   }
