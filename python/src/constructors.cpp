@@ -292,7 +292,7 @@ nb::object parsed(const std::string& bytes, nb::handle near, const FileReading& 
     if (epsilon.sign() <= 0) refuse("near", "it is not positive", near);
     auto found = at_place("near", [&] {
       return without_gil([=] {
-        return reading.is_plain() && is_curve_file(bytes)
+        return reading.is_plain() && !curve_file_format(bytes).empty()
                    ? read_path_near(bytes, epsilon)
                    : near_path(read_any_path(bytes, {}, reading), epsilon);
       });

@@ -31,7 +31,7 @@ class NearPoints {
     if (!query.feedrate.is_rational()) return;
     if (!V.numerator().is_constant() || !V.denominator().is_constant()) return;
     const auto rows = static_cast<std::size_t>(static_cast<long>(ticks));
-    if (!are_many_rows(rows, angle_to(std::nullopt, path), true)) return;
+    if (!are_many_rows(rows, path, true, [&] { return angle_to(std::nullopt, path); })) return;
     speed_ = V.numerator().coefficient(0) / V.denominator().coefficient(0);
     length_ = where_compiled([&] { return CompiledLength(path); });
     points_ = where_compiled([&] { return CompiledPoints(path); });

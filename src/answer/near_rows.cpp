@@ -94,14 +94,14 @@ std::optional<long> many_as_in_three(const PathAngle& angle, bool is_by_length) 
 
 }  // namespace
 
-bool are_many_rows(std::size_t rows, const PathAngle& angle, bool is_by_length) {
+bool are_many_rows(std::size_t rows, const Path& path, bool is_by_length,
+                   const std::function<PathAngle()>& angle) {
   constexpr std::size_t many_segments = 16;
   const auto number = static_cast<long>(rows);
-  if (number >= usually_many(angle.path(), is_by_length)) return true;
-  const std::size_t segments = angle.path().segments().size();
-  if (segments < many_segments || rows < segments || angle.reference() == Reference::frenet)
-    return false;
-  const auto many = many_as_in_three(angle, is_by_length);
+  if (number >= usually_many(path, is_by_length)) return true;
+  const std::size_t segments = path.segments().size();
+  if (segments < many_segments || rows < segments) return false;
+  const auto many = many_as_in_three(angle(), is_by_length);
   return many && number >= *many;
 }
 
@@ -113,8 +113,9 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
   if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet)
     return;
   const std::size_t rows = places.size();
-  if (is_by_length || are_of_rmf(columns) ? !are_many_rows(rows, angle, is_by_length)
-                                          : static_cast<long>(rows) < sum_over(path, rows_of_piece))
+  if (is_by_length || are_of_rmf(columns)
+          ? !are_many_rows(rows, path, is_by_length, [&] { return angle; })
+          : static_cast<long>(rows) < sum_over(path, rows_of_piece))
     return;
   const bool has_length = !columns.scalars.empty() && are_lengths(columns);
   if (places.is_by_length() || has_length)

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/orientation_columns.hpp"
 #include "phrame/answer/row_places.hpp"
@@ -9,8 +11,10 @@
 namespace phrame::inline v0 {
 
 /// Does it pay to compile the path for so many rows? A segment of a spline mostly is one piece,
-/// where a random curve has ten or more: three segments of many are tried.
-bool are_many_rows(std::size_t rows, const PathAngle& angle, bool is_by_length);
+/// where a random curve has ten or more: three segments of many are tried, with the angle that is
+/// asked for then, which is not measured from the Frenet frame.
+bool are_many_rows(std::size_t rows, const Path& path, bool is_by_length,
+                   const std::function<PathAngle()>& angle);
 
 /// What make() makes; nothing where the polynomials are not found: then each row goes the exact
 /// way.

@@ -54,15 +54,6 @@ const NamedPath* given_path(const std::string& file, const FileReading& reading)
   return path;
 }
 
-/// near_path() of what a file holds.
-std::variant<NamedPhPath, NotNear> near_path_of(const NamedPath& named, const Rational& epsilon) {
-  try {
-    return near_path(named, epsilon);
-  } catch (const DomainError& error) {
-    throw InputError("", error.what());
-  }
-}
-
 NamedPhPath ph_path_of(const NamedPath& named) {
   if (auto ph = with_preimages(named)) return *std::move(ph);
   throw InputError("", fmt::format("this command {}", needs_ph(named.path)));
@@ -275,10 +266,8 @@ std::pair<NamedPhPath, std::vector<Rational>> CurveOptions::read_path_at(
     std::vector<Rational> at = asked.fractions_on(named);
     return {at_place(path, ":", [&] { return ph_path_of(named); }), std::move(at)};
   }
-  std::vector<Rational> at = asked.given();
   NamedPhPath named = read_path_with_preimages();
-  for (long k = 0; k < asked.samples; ++k)
-    at.push_back(named.path.end() * Rational(k, asked.samples - 1));
+  std::vector<Rational> at = asked.fractions_on(named);
   return {std::move(named), std::move(at)};
 }
 
@@ -290,13 +279,16 @@ NamedPhPath CurveOptions::read_path() const {
 
 std::variant<NamedPhPath, NotNear> CurveOptions::read_path_near() const {
   const Rational within = epsilon().value();
+  const auto near_to = [&](const NamedPath& named) {
+    return at_option("", [&] { return near_path(named, within); });
+  };
   return at_place(name_of_file(path), ":", [&]() -> std::variant<NamedPhPath, NotNear> {
-    if (const NamedPath* named = given_path(path, reading)) return near_path_of(*named, within);
+    if (const NamedPath* named = given_path(path, reading)) return near_to(*named);
     const std::string text = content();
     // Control points that are written as such may leave gaps, which near_path() closes.
-    if (reading.is_plain() && is_curve_file(text))
+    if (reading.is_plain() && !curve_file_format(text).empty())
       return phrame::read_path_near(text, within, limits);
-    return near_path_of(read_any(text, *this), within);
+    return near_to(read_any(text, *this));
   });
 }
 

@@ -66,8 +66,9 @@ PathIdentification spline_of(const CurveOptions& options) {
 /// the least degree.
 std::optional<std::variant<NamedHodograph, NamedRationalCurve>> one_curve(CurveOptions options,
                                                                           const std::string& text) {
-  if (options.reading.is_plain() && is_curve_file(text)) {
-    if (is_spline_file(text)) return std::nullopt;
+  const std::string format = options.reading.is_plain() ? curve_file_format(text) : "";
+  if (format == "spline/1") return std::nullopt;
+  if (format == "curve/1") {
     if (auto rational = read_rational_curve(text, options.limits)) return *std::move(rational);
     return read_hodograph(text, options.limits);
   }

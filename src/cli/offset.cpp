@@ -59,13 +59,8 @@ NamedPath read_near(const CurveOptions& options) {
   } catch (const InputError&) {
     const std::string file = name_of_file(options.path);
     const NamedPath named = read_as_it_is(options);
-    NearPath near = [&] {
-      try {
-        return near_plane_path(named.path, options.epsilon().value());
-      } catch (const DomainError& error) {
-        throw InputError(file, error.what());
-      }
-    }();
+    NearPath near =
+        at_option(file, [&] { return near_plane_path(named.path, options.epsilon().value()); });
     note_at_end(fmt::format("{}: in its place a PH spline of {}, at most {} from it", file,
                             counted(near.path.segments().size(), "segment"),
                             upper_bound_text(near.nearness.distance)));
@@ -96,9 +91,8 @@ NamedPath read_curve(CurveOptions options) {
       std::rethrow_exception(not_ph);
     const auto& segments = other->path.segments();
     using Kind = OffsetKind::Kind;
-    const Kind kind = segments.size() > 1
-                          ? Kind::none
-                          : offset_kind(*rational_curve(segments.front())).kind;
+    const Kind kind =
+        segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
     if (kind == Kind::two_sided || kind == Kind::each_side) return options.read_any_path();
     throw InputError(name_of_file(options.path),
                      "the path is not PH, so that its offset is not rational: with --near EPS that "
@@ -111,11 +105,7 @@ Gauge read_gauge(const std::string& file) {
   options.path = file;
   options.is_for_frames = false;
   const NamedPath named = options.read_any_path();
-  try {
-    return Gauge(named.path);
-  } catch (const DomainError& error) {
-    throw InputError(name_of_file(file), error.what());
-  }
+  return at_option(name_of_file(file), [&] { return Gauge(named.path); });
 }
 
 /// A path of rational curves, each in a plane z = const.

@@ -174,11 +174,12 @@ std::optional<SiftedTable> sifted_frames(const ReadBytes& read, std::uint64_t si
   const auto head = head_of(read, reading);
   if (!head) return std::nullopt;
   const std::size_t wanted = by ? 0 : most_guessed_frames + 1;
-  const PathAngle angle = angle_to(options.up, named.path);
   const std::size_t at_most = 2 * (size / head->row_length);
-  if (at_most < wanted || !are_many_rows(at_most, angle, is_by_length)) return std::nullopt;
+  const auto angle = [&] { return angle_to(options.up, named.path); };
+  if (at_most < wanted || !are_many_rows(at_most, named.path, is_by_length, angle))
+    return std::nullopt;
   return rounding_to_nearest([&]() -> std::optional<SiftedTable> {
-    FrameSieve sieve(angle, options, is_by_length);
+    FrameSieve sieve(angle(), options, is_by_length);
     Lines lines(read, head->text.size());
     if (!sift(lines, size, *head, sieve) || sieve.size() < wanted) return std::nullopt;
     SiftedTable table{head->text, {}, sieve.size(), sieve.faults(), sieve.greatest_step()};

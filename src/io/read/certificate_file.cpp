@@ -154,16 +154,12 @@ class CertificateReader {
   }
 
   Vector<Rational> vector(const JsonNode& node) {
-    const auto list = read_list(node, [this](const JsonNode& item) { return exact(item); });
-    if (list.size() != 3) node.fail(fmt::format("3 numbers are wanted, not {}", list.size()));
-    return {list[0], list[1], list[2]};
+    return read_vector(node, [this](const JsonNode& item) { return exact(item); });
   }
 
   Polynomial polynomial(const JsonNode& node) {
-    node.require(Kind::array, "an array of coefficients");
-    if (static_cast<long>(node.size()) > most_)
-      node.fail(fmt::format("{} coefficients are more than {}", node.size(), most_));
-    Polynomial p(read_list(node, [this](const JsonNode& item) { return exact(item); }));
+    Polynomial p =
+        read_coefficients(node, most_, [this](const JsonNode& item) { return exact(item); });
     volume_ += Integer(p.degree() + 1) * Integer(written_bits(p));
     return p;
   }
@@ -445,13 +441,9 @@ StatedCrossing read_crossing(const JsonNode& node) {
 
 WritheClaim read_writhe(const JsonNode& node) {
   node.require_known_keys({"projection", "crossings", "value", "radius"});
-  const auto v = read_list(node.at("projection"), read_exact);
-  if (v.size() != 3) node.at("projection").fail(fmt::format("3 numbers, not {}", v.size()));
-  if (std::ranges::all_of(v, [](const Rational& x) { return x == 0; }))
-    node.at("projection").fail("the vector is 0");
-  return {{v[0], v[1], v[2]},
-          read_list(node.at("crossings"), read_crossing),
-          read_decimal(node.at("value")),
+  const auto v = read_vector(node.at("projection"), read_exact);
+  if (v == Vector<Rational>{}) node.at("projection").fail("the vector is 0");
+  return {v, read_list(node.at("crossings"), read_crossing), read_decimal(node.at("value")),
           read_radius(node.at("radius"))};
 }
 

@@ -1,6 +1,9 @@
 #pragma once
+#include <fmt/format.h>
+
 #include "phrame/algebra/polynomial.hpp"
 #include "phrame/io/read/json_node.hpp"
+#include "phrame/ph/curve/quaternion.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::inline v0 {
@@ -20,6 +23,23 @@ auto read_list(const JsonNode& node, Read read) {
   std::vector<decltype(read(node))> list;
   for (std::size_t k = 0; k < node.size(); ++k) list.push_back(read(node.item(k)));
   return list;
+}
+
+/// Three numbers, each as read(item) has it.
+template <class Read>
+Vector<Rational> read_vector(const JsonNode& node, Read read) {
+  const auto list = read_list(node, read);
+  if (list.size() != 3) node.fail(fmt::format("3 numbers are wanted, not {}", list.size()));
+  return {list[0], list[1], list[2]};
+}
+
+/// At most so many coefficients, likewise.
+template <class Read>
+Polynomial read_coefficients(const JsonNode& node, long most, Read read) {
+  node.require(JsonNode::Kind::array, "an array of coefficients");
+  if (static_cast<long>(node.size()) > most)
+    node.fail(fmt::format("{} coefficients are more than {}", node.size(), most));
+  return Polynomial(read_list(node, read));
 }
 
 /// An integer or a fraction.

@@ -222,25 +222,15 @@ std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node, const Ra
   return read_path(node, limits);
 }
 
-namespace {
-
-/// Of what might be one; empty for others.
-std::string named_format(std::string_view text) {
+std::string curve_file_format(std::string_view text) {
   const auto start = text.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos || text[start] != '{') return "";
   const JsonValue document = parse_json_file(text, "curve file");
   const auto format = Node(document).find("phrame");
-  return format && format->is(Kind::string) ? format->string() : "";
+  if (!format || !format->is(Kind::string)) return "";
+  const std::string& name = format->string();
+  return name == "curve/1" || name == "spline/1" ? name : "";
 }
-
-}  // namespace
-
-bool is_curve_file(std::string_view text) {
-  const std::string format = named_format(text);
-  return format == "curve/1" || format == "spline/1";
-}
-
-bool is_spline_file(std::string_view text) { return named_format(text) == "spline/1"; }
 
 std::optional<NamedRationalCurve> read_rational_curve(std::string_view text,
                                                       const CurveLimits& limits) {

@@ -47,10 +47,9 @@ PHRAME_API std::variant<NamedPhPath, NotNear> read_path_near(std::string_view te
 PHRAME_API std::variant<NamedPhPath, NotNear> read_path_near(const JsonNode& node,
                                                              const Rational& epsilon,
                                                              const CurveLimits& limits = {});
-/// @{ Is it a file of these formats, or a spline/1 file? Throws InputError for broken JSON.
-PHRAME_API bool is_curve_file(std::string_view text);
-PHRAME_API bool is_spline_file(std::string_view text);
-/// @}
+/// "curve/1" or "spline/1", which it says that it is; "" for a file of another format. Throws
+/// InputError for broken JSON.
+PHRAME_API std::string curve_file_format(std::string_view text);
 
 /// @{ Reads the same files, but does not ask whether the curve is PH: a rational curve, no value
 /// for others; and r′ of a polynomial one. Throws InputError for one by formulas, the second for a

@@ -22,9 +22,7 @@ class IntegralReader {
   }
 
   Vector<Rational> vector(const JsonNode& node) {
-    const auto list = read_list(node, [this](const JsonNode& item) { return exact(item); });
-    if (list.size() != 3) node.fail(fmt::format("3 numbers are wanted, not {}", list.size()));
-    return {list[0], list[1], list[2]};
+    return read_vector(node, [this](const JsonNode& item) { return exact(item); });
   }
 
   IntegralSegment segment(const JsonNode& node) {
@@ -60,10 +58,8 @@ class IntegralReader {
 
  private:
   Polynomial polynomial(const JsonNode& node) {
-    node.require(JsonNode::Kind::array, "an array of coefficients");
-    if (static_cast<long>(node.size()) > most_)
-      node.fail(fmt::format("{} coefficients are more than {}", node.size(), most_));
-    Polynomial p(read_list(node, [this](const JsonNode& item) { return exact(item); }));
+    Polynomial p =
+        read_coefficients(node, most_, [this](const JsonNode& item) { return exact(item); });
     const long bits = written_bits(p);
     volume_ += Integer(p.degree() + 1) * Integer(bits);
     length_ = std::max(length_, p.degree() + 1);

@@ -12,7 +12,6 @@
 #include <tuple>
 
 #include "phrame/algebra/argument.hpp"
-#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -23,6 +22,7 @@
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/check_weight.hpp"
 #include "phrame/ph/proof/stated_crossings.hpp"
+#include "phrame/ph/proof/stated_number.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -181,9 +181,7 @@ std::string objection_by_newton(const WritheClaim& claim, const Path& path) {
 
 std::pair<std::string, std::string> rounded(const Real& x, long digits) {
   const std::string value = round_to_decimal(x, digits).value;
-  Rational radius = half_unit(parse_rational(value), digits);
-  if (x.exact() && abs(*x.exact() - parse_rational(value)) == radius) radius *= 2;
-  return {value, upper_bound_text(radius, 1)};
+  return {value, upper_bound_text(rounding_radius(x, parse_rational(value), digits), 1)};
 }
 
 WritheClaim writhe_claim(const Path& path, const std::vector<Curve>& segments, long digits) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/decimal_between.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/path_angle.hpp"
@@ -15,6 +14,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/certify.hpp"
 #include "phrame/ph/proof/closed_certificate.hpp"
+#include "phrame/ph/proof/stated_number.hpp"
 #include "phrame/ph/proof/verify.hpp"
 
 namespace phrame::inline v0 {
@@ -99,9 +99,7 @@ AngleClaim rounded_claim(const Real& theta, const Rational& t, long digits) {
   const Rational value = parse_rational(claim.theta);
   const std::optional<Rational>& exact = theta.exact();
   if (t == 0 || (exact && *exact == value && value != 0)) return claim;
-  Rational radius = half_unit(value, digits);
-  if (exact && abs(*exact - value) == radius) radius *= 2;
-  claim.radius = upper_bound_text(radius, 1);
+  claim.radius = upper_bound_text(rounding_radius(theta, value, digits), 1);
   return claim;
 }
 

@@ -5,6 +5,10 @@
 
 namespace phrame::inline v0 {
 
+/// Half a unit of the last of so many significant digits of the value that x is rounded to, or a
+/// whole one where x is known to be half way between two decimals.
+Rational rounding_radius(const Real& x, const Rational& value, long digits);
+
 /// A number as a certificate states it: |x − value| ≤ radius.
 struct StatedNumber {
   std::string value;   ///< a decimal, correctly rounded
