@@ -54,7 +54,7 @@ double compare_rows(const Path& path, bool is_by_length, long count, long step,
 
 /// Also with other starts.
 void check_rows(const Path& path, long step = 97) {
-  const long more = test::everyday(6, 1);
+  const long more = test::everyday(12, 1);
   CHECK(compare_rows(path, false, 3001, more * step) > 0.9);
   CHECK(compare_rows(path, true, 1501, more * step) > 0.9);
   CHECK(compare_rows(path, false, 3001, 3 * more * step, StartNormal({3, -1, 2})) > 0.9);
@@ -126,9 +126,9 @@ TEST_CASE("near rows: of a curve that turns back they are the exact ones") {
   CHECK(compare_rows(path, true, 1501, 401) == 0);
 }
 
-// Every day of every fortieth line.
+// Every day of every eightieth line.
 TEST_CASE("near rows: along the collections they are the exact ones") {
-  const long every = test::everyday(40, 1);
+  const long every = test::everyday(80, 1);
   std::istringstream lines(test::read_data("curves.jsonl"));
   long curves = 0;
   double share = 0;
