@@ -51,6 +51,16 @@ Curve tame_curve(Random& random) {
   return Curve({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}});
 }
 
+PhPath lines(const std::vector<Vector<Rational>>& points) {
+  std::vector<Segment> sides;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vector<Rational> way = points[k + 1] - points[k];
+    sides.emplace_back(PhSegment(
+        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
+  }
+  return *joined(sides).ph();
+}
+
 using Point = std::complex<double>;
 
 double cross(Point a, Point b) { return a.real() * b.imag() - a.imag() * b.real(); }
@@ -367,20 +377,51 @@ TEST_CASE("offset: what coincides or touches is undecided, with its place") {
 
 TEST_CASE("offset: what ends on itself, and passes there, is found by algebra") {
   // The offset of the last line ends on that of the one before, in (2, 2).
-  std::vector<Segment> sides;
-  const std::vector<Vector<Rational>> points{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}};
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const Vector<Rational> way = points[k + 1] - points[k];
-    sides.emplace_back(PhSegment(
-        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
-  }
-  const SelfIntersections touching = self_intersections(offset(*joined(sides).ph(), -1));
+  const SelfIntersections touching = self_intersections(
+      offset(lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}}), -1));
   CHECK(touching.is_complete());
   REQUIRE(touching.found.size() == 3);
   CHECK(touching.found[2].first_segment == 2);
   CHECK(touching.found[2].first_t.contains(Rational(2, 3)));
   CHECK(touching.found[2].second_segment == 3);
   CHECK(touching.found[2].second_t.contains(1));
+}
+
+// Of the sides 4 and 3 with a right angle between them, and the third one, those of tan 3/4 meet at
+// 3|d| from the corner, those of a right angle at |d|, the others at 2|d|.
+TEST_CASE(
+    "offset: joins that are shorter than what doubles tell, and crossings as near to corners") {
+  const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
+  for (const long digits : {8, 20, 100}) {
+    CAPTURE(digits);
+    const Rational d = power_of_ten(-digits);
+    const SelfIntersections outside = self_intersections(offset(triangle, d));
+    CHECK(outside.is_complete());
+    CHECK(outside.found.empty());
+    const SelfIntersections inside = self_intersections(offset(triangle, -d));
+    CHECK(inside.is_complete());
+    REQUIRE(inside.found.size() == 3);
+    const auto is_near = [](const RealBall& t, const Rational& exact) {
+      return t.contains(exact) && (exact > Rational(1, 2) || t.accuracy_bits() >= 40);
+    };
+    CHECK(is_near(inside.found[0].first_t, 3 * d / 4));
+    CHECK(is_near(inside.found[0].second_t, 1 - 3 * d / 5));
+    CHECK(is_near(inside.found[1].first_t, 1 - d / 4));
+    CHECK(is_near(inside.found[1].second_t, d / 3));
+    CHECK(is_near(inside.found[2].first_t, 1 - 2 * d / 3));
+    CHECK(is_near(inside.found[2].second_t, 2 * d / 5));
+  }
+}
+
+// Of a path that turns left three times the offsets to the right do not meet, and those to the left
+// once at each corner.
+TEST_CASE("offset: runs of many tiny pieces that turn by more than a half-plane") {
+  const PhPath path = lines({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, Rational(1, 2), 0}});
+  for (const long sign : {1, -1}) {
+    const SelfIntersections found = self_intersections(offset(path, sign * power_of_ten(-40)));
+    CHECK(found.is_complete());
+    CHECK(found.found.size() == (sign > 0 ? 0 : 3));
+  }
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {

@@ -258,6 +258,37 @@ TEST_CASE("offset_trim: a triangle of sides 3, 4, 5: lengths, areas, and nothing
   CHECK(trimmed_offset(triangle, 2, OffsetJoin::open).branches.size() == 3);
 }
 
+// Outside the length is 12 + 2 pi d, inside 12 (1 - d), the area 6 (1 - d)^2; a line with caps
+// keeps its length, and of w = 1 + it, which turns by pi/2, that is 4/3 + d pi/2.
+TEST_CASE("offset_trim: distances that are less than all that doubles tell of the path") {
+  const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
+  const PhPath corner = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}});
+  const PhPath cubic(Curve({{1}, {}, {}, {0, 1}}));
+  for (const long digits : {8, 20, 50, 200}) {
+    CAPTURE(digits);
+    const Rational d = power_of_ten(-digits);
+    const auto only = [&](const PhPath& path, const Rational& distance) {
+      const TrimmedOffset found = trimmed_offset(path, distance);
+      CHECK(found.undecided.empty());
+      REQUIRE(found.branches.size() == 1);
+      return measure(path, found, found.branches[0]);
+    };
+    CHECK(only(triangle, -d).length.exact() == 12 * (1 - d));
+    CHECK(only(triangle, -d).area->exact() == 6 * (1 - d) * (1 - d));
+    CHECK(only(corner, -d).length.exact() == 7 - 2 * d);
+    const auto is_longer_by = [&](const BranchMeasure& size, const Rational& length,
+                                  const Real& by) {
+      const RealBall more = (size.length + Real(Rational(-length))).enclose(4 * digits + 64);
+      return more.overlaps((Real(d) * by).enclose(4 * digits + 64)) && more.accuracy_bits() > 30;
+    };
+    const Real pi(Real::Enclosure([](long bits) { return phrame::pi(bits); }));
+    CHECK(is_longer_by(only(triangle, d), 12, Real(2) * pi));
+    CHECK(is_longer_by(only(corner, d), 7, Real(Rational(1, 2)) * pi));
+    CHECK(is_longer_by(only(cubic, d), Rational(4, 3), Real(Rational(1, 2)) * pi));
+    CHECK(is_longer_by(only(cubic, -d), Rational(4, 3), Real(Rational(-1, 2)) * pi));
+  }
+}
+
 // Mitred outside, a triangle with the inradius 1 becomes a similar one with the inradius 1 + d.
 TEST_CASE("offset_trim: mitres: similar triangles, rectangles, and rooms that are shut") {
   const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
