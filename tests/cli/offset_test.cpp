@@ -202,7 +202,7 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
   // 6/12 of the triangle of sides 3, 4 and 5 over the distance.
   here.write("triangle.svg", "<svg><path d='M0,0 L4,0 L4,3 Z'/></svg>");
   check_failure(here.run("offset triangle.svg --distance -1e-20 --pocket -o off.dxf"), 2,
-                "phrame: pocket: the distance -1/100000000000000000000 takes about 5.00e+19 "
+                "phrame: pocket: the distance -1/100000000000000000000 takes about 5.00e19 "
                 "passes, of 10000 at most\n");
   check_failure(here.run("offset rooms.json --distance -1,-2 --pocket"), 2,
                 "phrame: --pocket: one distance is wanted, of which the others are multiples\n");
