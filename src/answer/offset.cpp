@@ -97,7 +97,7 @@ class OffsetReport {
 
   void add_meetings(OffsetAnswer::Part& part) const {
     const SelfIntersections found = self_intersections(offset_);
-    for (const Crossing& x : found.found) {
+    const auto add_meeting = [&](const Crossing& x, bool touches) {
       const OffsetPiece& piece = offset_.pieces[x.first_segment];
       const auto at = [&](std::size_t k) {
         return decimal_of(divide(evaluate(piece.curve.numerator()[k], x.first_t, 128),
@@ -106,8 +106,14 @@ class OffsetReport {
       part.meetings.push_back(
           {{parameter(x.first_segment, x.first_t), piece.is_join},
            {parameter(x.second_segment, x.second_t), offset_.pieces[x.second_segment].is_join},
-           {at(0), at(1)}});
-    }
+           {at(0), at(1)},
+           touches});
+    };
+    for (const Crossing& x : found.found) add_meeting(x, false);
+    for (const KnownMeeting& x : found.touching)
+      add_meeting(
+          {x.first_segment, enclose(x.first_t, 128), x.second_segment, enclose(x.second_t, 128), 0},
+          true);
     for (const UndecidedCrossing& x : found.undecided)
       part.undecided.push_back({range(x.first), range(x.second)});
     part.is_cut_off = found.is_cut_off;

@@ -278,6 +278,11 @@ class Trimmer {
       add_event(x.first_segment, s, place);
       add_event(x.second_segment, t, place);
     }
+    for (const KnownMeeting& x : found.touching) {
+      const std::size_t place = classes_.add();
+      add_event(x.first_segment, to_real(x.first_t), place);
+      add_event(x.second_segment, to_real(x.second_t), place);
+    }
     for (const auto& [first, second] : found.undecided) {
       const std::size_t place = classes_.add();
       add_touching(first, second, place);

@@ -14,10 +14,10 @@
 namespace phrame::inline v0 {
 namespace {
 
-constexpr long bits = 64;
+constexpr long side_bits = 64;
 
 RealBall ball_of(const DoubleInterval& x) {
-  return hull(exact_sum(x.lower, 0), exact_sum(x.upper, 0), bits);
+  return hull(exact_sum(x.lower, 0), exact_sum(x.upper, 0), side_bits);
 }
 
 /// Of the parameters of the path.
@@ -56,9 +56,9 @@ class TwoSides::Pair {
     const RealBall q = dot(along, b_);
     if (sign(p) > 0 && sign(q) > 0) return true;
     const auto over = [](const RealBall& x, const PlaneBall& e) {
-      return divide(x, sqrt(dot(e, e), bits), bits);
+      return divide(x, sqrt(dot(e, e), side_bits), side_bits);
     };
-    return sign(add(over(p, a_), over(q, b_), bits)) > 0;
+    return sign(add(over(p, a_), over(q, b_), side_bits)) > 0;
   }
 
   /// Are all from one place of the path up to another one, with r′ to the same side of e₁?
@@ -79,13 +79,13 @@ class TwoSides::Pair {
 
  private:
   static RealBall dot(const PlaneBall& a, const PlaneBall& b) {
-    return add_product(multiply(a[0], b[0], bits), a[1], b[1], bits);
+    return add_product(multiply(a[0], b[0], side_bits), a[1], b[1], side_bits);
   }
   /// The tree looks along z, from where x is the second axis and −y the first one.
   static PlaneBall tangent(const CurveNode& arc, const SideFoot& foot) {
-    const RealBall sign(foot.is_reversed ? -1 : 1, bits);
-    return {multiply(sign, ball_of(arc.direction[1]), bits),
-            subtract({}, multiply(sign, ball_of(arc.direction[0]), bits), bits)};
+    const RealBall sign(foot.is_reversed ? -1 : 1, side_bits);
+    return {multiply(sign, ball_of(arc.direction[1]), side_bits),
+            subtract({}, multiply(sign, ball_of(arc.direction[0]), side_bits), side_bits)};
   }
 
   const TwoSides& sides_;
@@ -104,19 +104,19 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
     const std::vector<Rational> y = to_bernstein(tangent.y, degree);
     auto& corners = corners_.emplace_back();
     for (std::size_t k = 0; k < x.size(); ++k)
-      corners.push_back({RealBall(x[k], bits), RealBall(y[k], bits)});
+      corners.push_back({RealBall(x[k], side_bits), RealBall(y[k], side_bits)});
   }
 }
 
 TwoSides::PlaneBall TwoSides::along(std::size_t segment, double from, double to) const {
-  const RealBall all = hull(exact_sum(from, 0), exact_sum(to, 0), 2 * bits);
+  const RealBall all = hull(exact_sum(from, 0), exact_sum(to, 0), 2 * side_bits);
   const RealBall middle = midpoint_of(all);
-  const RealBall step = subtract(all, middle, bits);
+  const RealBall step = subtract(all, middle, side_bits);
   PlaneBall e;
   for (std::size_t k = 0; k < 2; ++k) {
     const Polynomial& x = tangents_[segment][k];
-    e[k] = add_product(evaluate(x, middle, bits), taylor_series(x, all, 2, bits).coefficient(1),
-                       step, bits);
+    e[k] = add_product(evaluate(x, middle, side_bits),
+                       taylor_series(x, all, 2, side_bits).coefficient(1), step, side_bits);
   }
   return e;
 }

@@ -360,7 +360,7 @@ TEST_CASE("offset: self-intersections of paths with joins are those of polygons,
   CHECK(all >= 5);
 }
 
-TEST_CASE("offset: what coincides or touches is undecided, with its place") {
+TEST_CASE("offset: what coincides is undecided, what touches is told, with its place") {
   // The line is traced there and back: its offset, too.
   const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
   const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
@@ -369,10 +369,11 @@ TEST_CASE("offset: what coincides or touches is undecided, with its place") {
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
+  CHECK(ends.is_complete());
   CHECK(ends.found.empty());
-  REQUIRE(ends.undecided.size() == 1);
-  CHECK(ends.undecided[0].first.lower == 0);
-  CHECK(ends.undecided[0].second.upper == 1);
+  REQUIRE(ends.touching.size() == 1);
+  CHECK(ends.touching[0].first_t.rational() == Rational(0));
+  CHECK(ends.touching[0].second_t.rational() == Rational(1));
 }
 
 TEST_CASE("offset: what ends on itself, and passes there, is found by algebra") {
@@ -422,6 +423,74 @@ TEST_CASE("offset: runs of many tiny pieces that turn by more than a half-plane"
     CHECK(found.is_complete());
     CHECK(found.found.size() == (sign > 0 ? 0 : 3));
   }
+}
+
+/// How many crossings and touching places there are, if that is all.
+std::pair<std::size_t, std::size_t> counts(const Curve& curve, const Rational& d) {
+  const SelfIntersections found = self_intersections(offset(PhPath(curve), d));
+  CHECK(found.is_complete());
+  return {found.found.size(), found.touching.size()};
+}
+
+// With w = 1/2 + iu, u = 2t - 1 and v = u^2 the offset has x - x(1/2) = u (1/4 - v/3 + 4d/(1 + 4v))
+// / 2, which at d = -1/24 has a double root in v = 1/4.
+TEST_CASE("offset: halves of a mirrored curve that touch each other on the axis, or nearly") {
+  const Curve curve({{Rational(1, 2)}, {}, {}, {-1, 2}});
+  const Rational d(-1, 24);
+  const SelfIntersections exact = self_intersections(offset(PhPath(curve), d));
+  CHECK(exact.is_complete());
+  CHECK(exact.found.empty());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_t.rational() == Rational(1, 4));
+  CHECK(exact.touching[0].second_t.rational() == Rational(3, 4));
+  CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(0UL, 0UL));
+  CHECK(counts(curve, d + power_of_ten(-30)) == std::pair(2UL, 0UL));
+}
+
+// With dr/du = (1 - 20/19 v)(1 + iu)^2 it is u (I + 2d/(1 + v)) with I = 1 - 13/19 v + 4/19 v^2.
+// Then (I (1 + v))' = 0 at v = 1/2, where I (1 + v) = 81/76: at d = -81/152 two cusps meet at u =
+// +-sqrt(1/2).
+TEST_CASE("offset: two cusps that meet on the axis of a mirrored curve") {
+  const Polynomial u{Rational(-9, 10), Rational(9, 5)};
+  const Curve curve({{1}, {}, {}, u}, Rational(9, 5) * (Polynomial{1} - Rational(20, 19) * u * u));
+  const Rational d(-81, 152);
+  const SelfIntersections exact = self_intersections(offset(PhPath(curve), d));
+  CHECK(exact.is_complete());
+  CHECK(exact.found.size() == 2);
+  REQUIRE(exact.touching.size() == 1);
+  const auto& [first, s, second, t] = exact.touching[0];
+  CHECK(approximate(enclose(s, 64)) == doctest::Approx(0.5 - 5 * std::sqrt(0.5) / 9));
+  CHECK(approximate(enclose(t, 64)) == doctest::Approx(0.5 + 5 * std::sqrt(0.5) / 9));
+  CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(2UL, 0UL));
+}
+
+// The tip of the notch is 2 above the lowest side, or 10^-30 more or less: the arc about it, and
+// the offset of that side, touch in (5, 1).
+TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
+  const auto meetings = [](const Rational& floor) {
+    return self_intersections(offset(lines({{0, floor, 0},
+                                            {10, floor, 0},
+                                            {10, 8, 0},
+                                            {Rational(19, 2), 8, 0},
+                                            {5, 2, 0},
+                                            {Rational(1, 2), 8, 0},
+                                            {0, 8, 0},
+                                            {0, floor, 0}}),
+                                     -1));
+  };
+  const SelfIntersections exact = meetings(0);
+  CHECK(exact.is_complete());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_segment == 0);
+  CHECK(exact.touching[0].first_t.rational() == Rational(1, 2));
+  const SelfIntersections apart = meetings(-power_of_ten(-30));
+  const SelfIntersections crossing = meetings(power_of_ten(-30));
+  for (const SelfIntersections& found : {apart, crossing}) {
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+  }
+  CHECK(apart.found.size() == exact.found.size());
+  CHECK(crossing.found.size() == exact.found.size() + 2);
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {
