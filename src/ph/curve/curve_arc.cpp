@@ -8,14 +8,16 @@
 #include "phrame/ph/curve/vector.hpp"
 
 // Why a part of a plane curve P′ = p·H/W² does not meet itself, where H is in an open half-plane,
-// d·H > 0. If p keeps its sign, d·P increases or decreases. If p changes it at one place c, and H
-// turns one way, the angle φ of H against H(c) has the sign of t − c, or the opposite one, and so
-// p·sin φ one sign: P moves to one side of the line through P(c) along H(c) on both branches of
-// the cusp, so that P(s) = P(t) would need s, t on one side of c, where p keeps its sign. The same
-// holds where two segments with one tangent turn back at their joint, one of which may be straight.
-// There it may also be that they turn to different sides, or have a different curvature only. Over
-// X along the tangent both are then graphs on one side, with d(sin φ)/dX = κ: where all κ of the
-// one are less than all of the other, so are the slopes, and the graphs meet at the joint alone.
+// d·H > 0. If p keeps its sign, d·P increases or decreases, so that no point is met twice; that
+// holds of a way of many parts, too, whatever their sizes, if d·H > 0 with one d on all of it. If p
+// changes it at one place c, and H turns one way, the angle φ of H against H(c) has the sign of t −
+// c, or the opposite one, and so p·sin φ one sign: P moves to one side of the line through P(c)
+// along H(c) on both branches of the cusp, so that P(s) = P(t) would need s, t on one side of c,
+// where p keeps its sign. The same holds where two segments with one tangent turn back at their
+// joint, one of which may be straight. There it may also be that they turn to different sides, or
+// have a different curvature only. Over X along the tangent both are then graphs on one side, with
+// d(sin φ)/dX = κ: where all κ of the one are less than all of the other, so are the slopes, and
+// the graphs meet at the joint alone.
 
 namespace phrame::inline v0 {
 namespace {
