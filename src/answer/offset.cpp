@@ -97,7 +97,7 @@ class OffsetReport {
 
   void add_meetings(OffsetAnswer::Part& part) const {
     const SelfIntersections found = self_intersections(offset_);
-    for (const Crossing& x : found.found) {
+    const auto add_meeting = [&](const Crossing& x, bool touches) {
       const OffsetPiece& piece = offset_.pieces[x.first_segment];
       const auto at = [&](std::size_t k) {
         return decimal_of(divide(evaluate(piece.curve.numerator()[k], x.first_t, 128),
@@ -106,8 +106,14 @@ class OffsetReport {
       part.meetings.push_back(
           {{parameter(x.first_segment, x.first_t), piece.is_join},
            {parameter(x.second_segment, x.second_t), offset_.pieces[x.second_segment].is_join},
-           {at(0), at(1)}});
-    }
+           {at(0), at(1)},
+           touches});
+    };
+    for (const Crossing& x : found.found) add_meeting(x, false);
+    for (const KnownMeeting& x : found.touching)
+      add_meeting(
+          {x.first_segment, enclose(x.first_t, 128), x.second_segment, enclose(x.second_t, 128), 0},
+          true);
     for (const UndecidedCrossing& x : found.undecided)
       part.undecided.push_back({range(x.first), range(x.second)});
     part.is_cut_off = found.is_cut_off;
@@ -202,6 +208,21 @@ bool are_alike(const Offset& a, std::size_t of_a, const Offset& b, std::size_t o
          is_second(a.pieces, of_a) == is_second(b.pieces, of_b);
 }
 
+constexpr long most_passes = 10'000;
+
+/// Within A there is a point as far from the path as A/L: else all of A would be in the strip along
+/// the path that is that wide.
+void require_few_passes(const Real& area, const Path& path, const Rational& d) {
+  constexpr long bits = 64;
+  const RealBall width =
+      divide(absolute(area.enclose(bits)), Real(PathLength(path).total()).enclose(bits), bits);
+  const Rational passes = width.midpoint() / abs(d);
+  if (passes >= most_passes)
+    throw InputError(
+        "pocket", fmt::format("the distance {} takes about {} passes, of {} at most", to_string(d),
+                              round_to_decimal(Real(passes), 3).value, most_passes));
+}
+
 /// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
 /// nearest point of the path, along n or U, there is a point of each before it, at the same
 /// parameter of the same piece: so what a branch is inside of is told by that alone.
@@ -210,6 +231,9 @@ class Pocket {
   Pocket(const Trimming& trimming, const Rational& d, long digits)
       : trimming_(trimming), digits_(digits) {
     for (Rational sum = d;; sum += d) {
+      if (levels_.size() == most_passes)
+        throw InputError("pocket", fmt::format("the distance {} takes more than {} passes",
+                                               to_string(d), most_passes));
       TrimmedOffset next = trimming.at(sum);
       if (next.branches.empty()) break;
       levels_.push_back(std::move(next));
@@ -265,8 +289,10 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
   };
   if (!std::ranges::all_of(path.segments(), is_plane))
     throw DomainError("offset: the path is in no plane z = const");
-  if (sign_of(signed_area(path)) * d.sign() >= 0)
+  const Real area = signed_area(path);
+  if (sign_of(area) * d.sign() >= 0)
     throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
+  require_few_passes(area, path, d);
   return Pocket(trimming, d, query.digits).make();
 }
 

@@ -46,6 +46,7 @@ struct OffsetAnswer {
     Place first;                ///< the earlier one
     Place second;               ///< the later one
     std::array<Decimal, 2> at;  ///< x and y, with radii
+    bool touches = false;       ///< without crossing there?
   };
   /// Two parts of the offset that may meet: it is not decided.
   struct Undecided {

@@ -199,6 +199,11 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
   here.write("corner.json", corner);
   check_failure(here.run("offset corner.json --distance -1 --pocket"), 3,
                 "phrame: pocket: the path is open\n");
+  // 6/12 of the triangle of sides 3, 4 and 5 over the distance.
+  here.write("triangle.svg", "<svg><path d='M0,0 L4,0 L4,3 Z'/></svg>");
+  check_failure(here.run("offset triangle.svg --distance -1e-20 --pocket -o off.dxf"), 2,
+                "phrame: pocket: the distance -1/100000000000000000000 takes about 5.00e19 "
+                "passes, of 10000 at most\n");
   check_failure(here.run("offset rooms.json --distance -1,-2 --pocket"), 2,
                 "phrame: --pocket: one distance is wanted, of which the others are multiples\n");
 }
@@ -639,8 +644,7 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   here.write("triangle.svg", "M0,0 L3,0 L0,2 Z");
   const auto found = here.run("offset triangle.svg --distance 1/2 --near 1e-9 --trim --print json");
   CHECK(found.status == 0);
-  CHECK(
-      found.err.starts_with("phrame: triangle.svg: in its place a PH spline of 3 segments, at "));
+  CHECK(found.err.starts_with("phrame: triangle.svg: in its place a PH spline of 3 segments, at "));
   const auto branch = nlohmann::json::parse(found.out)["trimmed"][0]["branches"][0];
   const auto number = [&](const char* key) {
     return std::stod(branch[key]["value"].get<std::string>());

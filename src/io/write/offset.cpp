@@ -68,9 +68,9 @@ std::string count_text(const Part& part) {
 Value meetings_value(const Part& part) {
   const auto rows = [&](Notation notation) {
     std::vector<std::string> list{count_text(part)};
-    for (const auto& [first, second, point] : part.meetings)
-      list.push_back(fmt::format("{} and {}: {}", in_words(first, notation),
-                                 in_words(second, notation),
+    for (const auto& [first, second, point, touches] : part.meetings)
+      list.push_back(fmt::format("{}{} and {}: {}", touches ? "touches at " : "",
+                                 in_words(first, notation), in_words(second, notation),
                                  formula(fmt::format("({}, {})", with_minus_sign(point[0].value),
                                                      with_minus_sign(point[1].value)),
                                          notation)));
@@ -80,10 +80,12 @@ Value meetings_value(const Part& part) {
     return list;
   };
   const auto json = [&] {
-    const auto place = [](const OffsetAnswer::Meeting& x) -> JsonOutput {
-      return {{"first", json_of(x.first)},
-              {"second", json_of(x.second)},
-              {"point", {json_of(x.at[0]), json_of(x.at[1])}}};
+    const auto place = [](const OffsetAnswer::Meeting& x) {
+      JsonOutput row{{"first", json_of(x.first)},
+                     {"second", json_of(x.second)},
+                     {"point", {json_of(x.at[0]), json_of(x.at[1])}}};
+      if (x.touches) row["touches"] = true;
+      return row;
     };
     return JsonOutput{
         {"complete", part.undecided.empty() && !part.is_cut_off},

@@ -138,7 +138,7 @@ std::vector<Mark> marks_of(const OffsetAnswer& answer) {
   for (std::size_t k = 0; k < answer.offsets.size(); ++k) {
     for (const auto& [t, turns_back, at] : answer.offsets[k].cusps)
       marks.push_back({"cusp", k, at_place(t, on_page), at});
-    for (const auto& [first, second, at] : answer.offsets[k].meetings)
+    for (const auto& [first, second, at, touches] : answer.offsets[k].meetings)
       marks.push_back(
           {"meets itself", k, in_words(first, on_page) + " and " + in_words(second, on_page), at});
   }

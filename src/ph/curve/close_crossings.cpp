@@ -163,7 +163,13 @@ class CloseSearch {
   std::vector<Crossing> found_;
 };
 
-/// Have they a point in common, as a part with itself has?
+bool are_same(const Crossing& a, const Crossing& b) {
+  return a.first_segment == b.first_segment && a.second_segment == b.second_segment &&
+         a.first_t.overlaps(b.first_t) && a.second_t.overlaps(b.second_t);
+}
+
+}  // namespace
+
 bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b) {
   if (a.segment == b.segment && a.lower <= b.upper && b.lower <= a.upper) return true;
   const auto goes_on = [&](const CurvePart& x, const CurvePart& y) {
@@ -173,13 +179,6 @@ bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b
   };
   return goes_on(a, b) || goes_on(b, a);
 }
-
-bool are_same(const Crossing& a, const Crossing& b) {
-  return a.first_segment == b.first_segment && a.second_segment == b.second_segment &&
-         a.first_t.overlaps(b.first_t) && a.second_t.overlaps(b.second_t);
-}
-
-}  // namespace
 
 NewtonStep newton(const PlanePosition& p, std::size_t first, const RealBall& s,
                   const PlanePosition& q, std::size_t second, const RealBall& t, long bits) {

@@ -20,6 +20,7 @@ namespace phrame::inline v0 {
 namespace {
 
 constexpr long crossing_bits = 96;
+constexpr long most_crossing_bits = 5000;
 constexpr double least_arc = 0x1p-30;
 constexpr long most_pairs = 4'000'000;
 constexpr double least_plane_arc = 0x1p-24;
@@ -32,6 +33,43 @@ bool is_tiny(const PlaneBox& box) {
   return std::ranges::all_of(box, [](const DoubleInterval& x) {
     return x.upper - x.lower < least * std::max(std::abs(x.lower), std::abs(x.upper));
   });
+}
+
+std::pair<RealBall, RealBall> ends_of(const CurveNode& arc) {
+  return {exact_sum(arc.lower, 0), exact_sum(arc.upper, 0)};
+}
+
+bool is_outside(const RealBall& t, const CurveNode& arc) {
+  const auto [lower, upper] = ends_of(arc);
+  return is_less(t, lower) || is_less(upper, t);
+}
+
+/// Is it inside of the arc, and of a ball?
+bool is_inside(const RealBall& t, const RealBall& ball, const CurveNode& arc) {
+  const auto [lower, upper] = ends_of(arc);
+  return is_less(lower, t) && is_less(t, upper) && ball.contains(t.lower()) &&
+         ball.contains(t.upper());
+}
+
+/// What is in both, and in the arc; that in the ball where t is not finite.
+RealBall common_of(const RealBall& t, const RealBall& ball, const CurveNode& arc, long bits) {
+  if (!t.is_finite()) return ball;
+  const auto [lower, upper] = ends_of(arc);
+  return hull(std::max({t.lower(), ball.lower(), lower.midpoint()}),
+              std::min({t.upper(), ball.upper(), upper.midpoint()}), 2 * bits);
+}
+
+/// An e with 2^e above the radii of both.
+long exponent_of_width(const RealBall& s, const RealBall& t) {
+  return std::max(exponent_above(radius_of(s)), exponent_above(radius_of(t)));
+}
+
+CurvePart part_of(const CurveNode& arc) { return {arc.first_segment, arc.lower, arc.upper}; }
+
+/// The t of an arc that are in a ball.
+CurvePart part_of(const CurveNode& arc, const RealBall& t) {
+  return {arc.first_segment, std::max(arc.lower, -upper_double(subtract({}, t, crossing_bits))),
+          std::min(arc.upper, upper_double(t))};
 }
 
 class CrossingSearch {
@@ -62,7 +100,7 @@ class CrossingSearch {
   bool visit_self(CurveNode& node) {
     if (is_idle(node) || first_.is_simple(node, query_.is_idle_beyond_reversals)) return true;
     if (!is_left()) return false;
-    if (is_too_short(node)) return leave_undecided(node, node);
+    if (is_too_short(node)) return leave_undecided({part_of(node), part_of(node)});
     first_.split(node);
     return visit_self(*node.halves[0]) && visit_self(*node.halves[1]) &&
            visit_pair(*node.halves[0], *node.halves[1]);
@@ -74,21 +112,24 @@ class CrossingSearch {
     if (query_.are_idle && query_.are_idle(a, b)) return true;
     const bool are_neighbours = is_same_curve() && first_.share_end(a, b);
     if (are_neighbours && first_.are_simple(a, b, query_.is_idle_beyond_reversals)) return true;
+    if (is_same_curve() && first_.are_on_one_way(a, b)) return true;
     if (!are_neighbours && a.is_arc() && b.is_arc()) {
       if (are_apart_across(a, b)) return true;
       if (are_transversal(a.velocity, b.velocity)) {
-        const auto [is_decided, crossing] = solve(a, b);
+        const auto [is_decided, crossing, place] = solve(a, b);
         if (crossing) return add_crossing(a, b, *crossing);
         if (is_decided || is_known(a, b)) return true;
+        if (place) return leave_undecided(*place);
       }
-      if (is_plane_ && is_tiny(a.box) && is_tiny(b.box)) return add_undecided(a, b);
+      if (is_plane_ && is_tiny(a.box) && is_tiny(b.box))
+        return add_undecided({part_of(a), part_of(b)});
     }
     bool is_a_cut = size_of(a) >= size_of(b);
     // Of what is undecided both are arcs, also where several segments are smaller than one arc.
     if (is_too_short(is_a_cut ? a : b) && !(is_a_cut ? b : a).is_arc()) is_a_cut = !is_a_cut;
     CurveNode& longer = is_a_cut ? a : b;
     CurveTree& tree = is_a_cut ? first_ : second_;
-    if (is_too_short(longer)) return leave_undecided(a, b);
+    if (is_too_short(longer)) return leave_undecided({part_of(a), part_of(b)});
     if (!are_neighbours && (is_idle_beside(a, b) || is_idle_beside(b, a))) return true;
     tree.split(longer);
     const auto with_half = [&](CurveNode& half) {
@@ -100,6 +141,7 @@ class CrossingSearch {
   struct Solution {
     bool is_decided = false;
     std::optional<NewtonStep> crossing = {};
+    std::optional<UndecidedCrossing> place = {};  ///< where it is, if it is not decided
   };
   Solution solve(const CurveNode& a, const CurveNode& b) const;
   NewtonStep step(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
@@ -123,8 +165,8 @@ class CrossingSearch {
     return is_idle;
   }
   bool is_known(const CurveNode& a, const CurveNode& b) const;
-  bool leave_undecided(const CurveNode& a, const CurveNode& b);
-  bool add_undecided(const CurveNode& a, const CurveNode& b);
+  bool leave_undecided(const UndecidedCrossing& place);
+  bool add_undecided(const UndecidedCrossing& place);
   bool is_left() { return ++pairs_ <= most_pairs_; }
   /// In the plane that of the box: neighbouring segments may have quite different speeds.
   double size_of(const CurveNode& node) const {
@@ -145,8 +187,6 @@ class CrossingSearch {
   std::vector<Crossing> found_;
   std::vector<UndecidedCrossing> undecided_;
 };
-
-CurvePart part_of(const CurveNode& arc) { return {arc.first_segment, arc.lower, arc.upper}; }
 
 bool is_on(const CurveNode& arc, std::size_t segment, const RealAlgebraic& t) {
   return arc.first_segment == segment && compare(t, exact_sum(arc.lower, 0).midpoint()) >= 0 &&
@@ -170,21 +210,21 @@ std::optional<CurvePart> merged(const CurvePart& a, const CurvePart& b) {
 }
 
 /// Goes on without these, of a curve in a plane.
-bool CrossingSearch::leave_undecided(const CurveNode& a, const CurveNode& b) {
+bool CrossingSearch::leave_undecided(const UndecidedCrossing& place) {
   if (!is_plane_) return false;
   for (auto& [first, second] : undecided_) {
-    const auto one = merged(first, part_of(a));
-    const auto other = merged(second, part_of(b));
+    const auto one = merged(first, place.first);
+    const auto other = merged(second, place.second);
     if (!one || !other) continue;
     first = *one;
     second = *other;
     return true;
   }
-  return add_undecided(a, b);
+  return add_undecided(place);
 }
 
-bool CrossingSearch::add_undecided(const CurveNode& a, const CurveNode& b) {
-  undecided_.push_back({part_of(a), part_of(b)});
+bool CrossingSearch::add_undecided(const UndecidedCrossing& place) {
+  undecided_.push_back(place);
   return undecided_.size() < most_undecided + 8 * first_.root().last_segment;
 }
 
@@ -213,22 +253,26 @@ NewtonStep CrossingSearch::step(const CurveNode& a, const RealBall& s, const Cur
   return newton(of(first_), a.first_segment, s, of(second_), b.first_segment, t, bits);
 }
 
+// All that is in both arcs is in N, and so in what they have in common, of which there is a next N.
+// Near an end of an arc, where a crossing may be just inside or just outside, that decides in few
+// steps what halving would not.
 CrossingSearch::Solution CrossingSearch::solve(const CurveNode& a, const CurveNode& b) const {
-  const NewtonStep found = step(a, arc_parameter(a), b, arc_parameter(b), crossing_bits);
-  const auto ends = [](const CurveNode& node) {
-    return std::pair(exact_sum(node.lower, 0), exact_sum(node.upper, 0));
-  };
-  const auto is_outside = [&](const RealBall& x, const CurveNode& node) {
-    const auto [lower, upper] = ends(node);
-    return is_less(x, lower) || is_less(upper, x);
-  };
-  const auto is_inside = [&](const RealBall& x, const CurveNode& node) {
-    const auto [lower, upper] = ends(node);
-    return is_less(lower, x) && is_less(x, upper);
-  };
-  if (is_outside(found.first, a) || is_outside(found.second, b)) return {true};
-  if (is_inside(found.first, a) && is_inside(found.second, b)) return {true, found};
-  return {};
+  RealBall s = arc_parameter(a);
+  RealBall t = arc_parameter(b);
+  for (long bits = crossing_bits;;) {
+    const NewtonStep found = step(a, s, b, t, bits);
+    if (is_outside(found.first, a) || is_outside(found.second, b)) return {true};
+    if (is_inside(found.first, s, a) && is_inside(found.second, t, b)) return {true, found};
+    const long before = exponent_of_width(s, t);
+    s = common_of(found.first, s, a, bits);
+    t = common_of(found.second, t, b, bits);
+    const long exponent = exponent_of_width(s, t);
+    if (exponent >= before) return {};
+    bits = crossing_bits - 4 * std::min(exponent, 0L);
+    if (bits <= most_crossing_bits) continue;
+    if (!is_plane_) return {};
+    return {false, {}, UndecidedCrossing{part_of(a, s), part_of(b, t)}};
+  }
 }
 
 int CrossingSearch::sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b,
@@ -255,12 +299,16 @@ bool CrossingSearch::add_crossing(const CurveNode& a, const CurveNode& b, Newton
   constexpr int most_steps = 8;
   int sign = 0;
   for (int steps = 0; steps < most_steps; ++steps) {
-    const long bits = crossing_bits << (steps / 4);
+    // More of them for a parameter that is nearly 0.
+    const long below = std::min(exponent_below(at.first), exponent_below(at.second));
+    const long bits =
+        (crossing_bits << (steps / 4)) +
+        std::clamp(-2 * below, 0L, below == -unbounded_exponent ? 0 : most_crossing_bits);
     sign = sign_at(a, at.first, b, at.second, bits);
-    if (sign != 0 && at.first.is_accurate(40) && at.second.is_accurate(40)) break;
+    if (sign != 0 && at.first.accuracy_bits() >= 40 && at.second.accuracy_bits() >= 40) break;
     at = step(a, at.first, b, at.second, bits);
   }
-  if (sign == 0) return leave_undecided(a, b);
+  if (sign == 0) return leave_undecided({part_of(a), part_of(b)});
   found_.push_back({a.first_segment, at.first, b.first_segment, at.second, sign});
   return true;
 }

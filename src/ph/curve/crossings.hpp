@@ -42,20 +42,21 @@ struct UndecidedCrossing {
   CurvePart first;   ///< the earlier one
   CurvePart second;  ///< the later one
 };
-/// Where a plane curve meets itself.
-struct SelfIntersections {
-  /// Each once, by first place, with the sign of r′(first) × r′(second).
-  std::vector<Crossing> found;
-  std::vector<UndecidedCrossing> undecided;  ///< parts of less than 2^−24 of a segment, by place
-  bool is_cut_off = false;  ///< was there so much undecided that the rest was not looked at?
-  bool is_complete() const { return undecided.empty() && !is_cut_off; }  ///< are these all?
-};
 /// Two places of a curve that are known to be one point, exactly.
 struct KnownMeeting {
   std::size_t first_segment;   ///< the segment of one
   RealAlgebraic first_t;       ///< and its parameter
   std::size_t second_segment;  ///< those of the other, which is not before it
   RealAlgebraic second_t;      ///< likewise
+};
+/// Where a plane curve meets itself.
+struct SelfIntersections {
+  /// Each once, by first place, with the sign of r′(first) × r′(second).
+  std::vector<Crossing> found;
+  std::vector<KnownMeeting> touching = {};   ///< as touching() of offsets finds them
+  std::vector<UndecidedCrossing> undecided;  ///< parts of less than 2^−24 of a segment, by place
+  bool is_cut_off = false;  ///< was there so much undecided that the rest was not looked at?
+  bool is_complete() const { return undecided.empty() && !is_cut_off; }  ///< are these all?
 };
 /// What is known of the places where a curve meets itself, and which of them are asked for.
 struct CrossingQuery {

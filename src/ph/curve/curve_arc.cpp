@@ -8,14 +8,16 @@
 #include "phrame/ph/curve/vector.hpp"
 
 // Why a part of a plane curve P′ = p·H/W² does not meet itself, where H is in an open half-plane,
-// d·H > 0. If p keeps its sign, d·P increases or decreases. If p changes it at one place c, and H
-// turns one way, the angle φ of H against H(c) has the sign of t − c, or the opposite one, and so
-// p·sin φ one sign: P moves to one side of the line through P(c) along H(c) on both branches of
-// the cusp, so that P(s) = P(t) would need s, t on one side of c, where p keeps its sign. The same
-// holds where two segments with one tangent turn back at their joint, one of which may be straight.
-// There it may also be that they turn to different sides, or have a different curvature only. Over
-// X along the tangent both are then graphs on one side, with d(sin φ)/dX = κ: where all κ of the
-// one are less than all of the other, so are the slopes, and the graphs meet at the joint alone.
+// d·H > 0. If p keeps its sign, d·P increases or decreases, so that no point is met twice; that
+// holds of a way of many parts, too, whatever their sizes, if d·H > 0 with one d on all of it. If p
+// changes it at one place c, and H turns one way, the angle φ of H against H(c) has the sign of t −
+// c, or the opposite one, and so p·sin φ one sign: P moves to one side of the line through P(c)
+// along H(c) on both branches of the cusp, so that P(s) = P(t) would need s, t on one side of c,
+// where p keeps its sign. The same holds where two segments with one tangent turn back at their
+// joint, one of which may be straight. There it may also be that they turn to different sides, or
+// have a different curvature only. Over X along the tangent both are then graphs on one side, with
+// d(sin φ)/dX = κ: where all κ of the one are less than all of the other, so are the slopes, and
+// the graphs meet at the joint alone.
 
 namespace phrame::inline v0 {
 namespace {
@@ -73,6 +75,77 @@ long count_between(const std::vector<RealAlgebraic>& places, double a, double b,
 
 /// The sign after so many changes of it.
 int changed(int sign, long changes) { return changes % 2 == 0 ? sign : -sign; }
+
+/// A place of a curve.
+using CurvePlace = std::pair<std::size_t, double>;
+CurvePlace start_of(const CurveNode& node) { return {node.first_segment, node.lower}; }
+CurvePlace end_of(const CurveNode& node) { return {node.last_segment, node.upper}; }
+
+/// The parts of a way, whose directions may be in one half-plane.
+class OneWay {
+ public:
+  explicit OneWay(CurveTree& tree) : tree_(tree) {}
+
+  /// With all that follows the last one, from `from` to `to`; false where it is none.
+  bool add(CurveNode& node, const CurvePlace& from, const CurvePlace& to) {
+    if (end_of(node) <= from || start_of(node) >= to) return true;
+    if (start_of(node) >= from && end_of(node) <= to) {
+      if (node.reversals != 0) return false;
+      if (is_narrow(node.direction) || node.upper - node.lower < least_part) return add(node);
+    }
+    tree_.split(node);
+    return add(*node.halves[0], from, to) && add(*node.halves[1], from, to);
+  }
+
+  /// Is it a way, on which d·H > 0?
+  bool is_seen() const {
+    const std::array<double, 2> d{right_[0] + left_[0], right_[1] + left_[1]};
+    return std::ranges::all_of(parts_, [&](const CurveNode* node) {
+      return dot_product(d, node->direction).lower > std::numeric_limits<double>::min();
+    });
+  }
+
+ private:
+  bool add(const CurveNode& node) {
+    if (!parts_.empty() && parts_.back()->last_sign != node.first_sign) return false;
+    parts_.push_back(&node);
+    for (const double x : {node.direction[0].lower, node.direction[0].upper})
+      for (const double y : {node.direction[1].lower, node.direction[1].upper})
+        if (!widen({x, y}, std::hypot(x, y))) return false;
+    return true;
+  }
+
+  /// Rounded: is_seen() has the last word.
+  bool widen(std::array<double, 2> h, double length) {
+    for (double& x : h) x /= length;
+    const auto cross = [](const auto& a, const auto& b) { return a[0] * b[1] - a[1] * b[0]; };
+    if (right_ == left_ && right_[0] == 0 && right_[1] == 0) right_ = left_ = h;
+    const bool is_right = cross(right_, h) < 0;
+    const bool is_left = cross(left_, h) > 0;
+    if (is_right) right_ = h;
+    if (is_left) left_ = h;
+    return !(is_right && is_left);
+  }
+
+  static constexpr double least_part = 0x1p-8;
+
+  /// Is it seen within less than a quarter of a turn?
+  static bool is_narrow(const PlaneBox& direction) {
+    double width = 0;
+    double middle = 0;
+    for (const DoubleInterval& x : direction) {
+      width = std::max(width, x.upper - x.lower);
+      middle = std::max(middle, std::abs(x.lower / 2 + x.upper / 2));
+    }
+    return 2 * width < middle;
+  }
+
+  CurveTree& tree_;
+  std::vector<const CurveNode*> parts_;
+  std::array<double, 2>
+      right_{};                   ///< of the directions up to now the one that is most to the right
+  std::array<double, 2> left_{};  ///< and to the left
+};
 
 /// More than one reversal: what has a gap is not seen not to meet itself.
 constexpr long not_seen = 2;
@@ -146,6 +219,9 @@ CurveTree::CurveTree(CurveSeries curve, const Vector<Rational>& v) : curve_(std:
   Vector<Rational> axis{};
   axis[least] = 1;
   axes_ = {cross(axis, v), cross(v, cross(axis, v))};
+  last_in_order_.assign(curve_.segments, curve_.segments - 1);
+  for (std::size_t k = curve_.segments - 1; k-- > 0;)
+    last_in_order_[k] = behind(k) == k + 1 ? last_in_order_[k + 1] : k;
   root_ = make_group(0, curve_.segments - 1);
 }
 
@@ -318,6 +394,21 @@ bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b, bool is_one_b
                              (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0 &&
                              (one.upper < 1 || is_smooth_behind(one.last_segment));
   return reversals == 0 || (reversals == 1 && (turns_one_way || are_parted(one, other)));
+}
+
+bool CurveTree::leads_one_way(const CurveNode& a, const CurveNode& b) {
+  OneWay way(*this);
+  const std::size_t last = last_in_order_[a.first_segment];
+  if (start_of(a) < start_of(b))
+    return last >= b.last_segment && way.add(*root_, start_of(a), end_of(b)) && way.is_seen();
+  const std::size_t first = behind(last);
+  return last >= a.last_segment && first <= b.first_segment &&
+         last_in_order_[first] >= b.last_segment && way.add(*root_, start_of(a), {last, 1}) &&
+         way.add(*root_, {first, 0}, end_of(b)) && way.is_seen();
+}
+
+bool CurveTree::are_on_one_way(const CurveNode& a, const CurveNode& b) {
+  return leads_one_way(a, b) || leads_one_way(b, a);
 }
 
 }  // namespace phrame

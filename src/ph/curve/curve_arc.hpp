@@ -75,6 +75,10 @@ class CurveTree {
   bool is_simple(const CurveNode& node, bool is_one_branch_asked) const;
   bool are_simple(const CurveNode& a, const CurveNode& b, bool is_one_branch_asked) const;
   /// @}
+  /// Is it seen that one of two parts leads to the other on a way that does not turn back, all
+  /// directions of which are in one open half-plane? Then they do not meet, but where they share
+  /// an end. What is between them is halved as far as it turns.
+  bool are_on_one_way(const CurveNode& a, const CurveNode& b);
 
   /// The projected curve, and the curve itself, around t.
   PlaneSeries series(std::size_t segment, const RealBall& t, long length, long bits) const;
@@ -95,10 +99,13 @@ class CurveTree {
   DoubleInterval curvature_of(const CurveNode& arc) const;
   bool are_parted(const CurveNode& one, const CurveNode& other) const;
   bool goes_on_into(const CurveNode& a, const CurveNode& b) const;
+  bool leads_one_way(const CurveNode& a, const CurveNode& b);
 
   CurveSeries curve_;
   std::array<Vector<Rational>, 2> axes_;  ///< across v
   std::unique_ptr<CurveNode> root_;
+  /// Of each segment the last one up to which each is behind the one before.
+  std::vector<std::size_t> last_in_order_;
 };
 
 }  // namespace phrame

@@ -20,6 +20,7 @@ namespace phrame::inline v0 {
 namespace {
 
 constexpr long place_bits = 320;
+constexpr long closest_place_bits = 3200;
 
 /// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
 std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
@@ -259,6 +260,9 @@ class Trimmer {
       if (a.first_segment >= own_ && b.first_segment >= own_) return true;
       if (!a.is_arc() || !b.is_arc()) return false;
       if (are_parallel(a.first_segment, b.first_segment)) return true;
+      if (stroke_.are_apart && (a.first_segment < own_) != (b.first_segment < own_) &&
+          (a.first_segment < own_ ? stroke_.are_apart(a, b) : stroke_.are_apart(b, a)))
+        return true;
       return coincident_.contains({a.first_segment, b.first_segment});
     };
     if (stroke_.is_covered_beside)
@@ -273,6 +277,11 @@ class Trimmer {
       const auto [s, t] = parameters(x);
       add_event(x.first_segment, s, place);
       add_event(x.second_segment, t, place);
+    }
+    for (const KnownMeeting& x : found.touching) {
+      const std::size_t place = classes_.add();
+      add_event(x.first_segment, to_real(x.first_t), place);
+      add_event(x.second_segment, to_real(x.second_t), place);
     }
     for (const auto& [first, second] : found.undecided) {
       const std::size_t place = classes_.add();
@@ -330,9 +339,24 @@ class Trimmer {
     return {real(true), real(false)};
   }
 
+  /// By places; those that are not told apart are looked at with more bits, once.
+  void sort(std::vector<Event>& events) const {
+    const auto lower = [](const Event& x) { return x.ball.lower(); };
+    std::ranges::sort(events, {}, lower);
+    for (std::size_t k = 0; k + 1 < events.size(); ++k) {
+      Event& a = events[k];
+      Event& b = events[k + 1];
+      const bool is_same = a.t.exact() && a.t.exact() == b.t.exact();
+      if (a.is_fuzzy || b.is_fuzzy || is_same || !a.ball.overlaps(b.ball)) continue;
+      a.ball = a.t.enclose(closest_place_bits);
+      b.ball = b.t.enclose(closest_place_bits);
+    }
+    std::ranges::sort(events, {}, lower);
+  }
+
   std::vector<Cluster> clusters(std::size_t piece) {
     std::vector<Event>& events = events_[piece];
-    std::ranges::sort(events, {}, [](const Event& x) { return x.ball.lower(); });
+    sort(events);
     std::vector<Cluster> found;
     for (Event& x : events) {
       const Rational lower = x.ball.lower();

@@ -48,6 +48,9 @@ struct BoundaryCurves {
   std::vector<int> signs = {};
   /// Is all of a box inside the domain? false says nothing.
   std::function<bool(const PlaneBox& box)> covers = {};
+  /// Is it seen that arcs of a curve that is asked for and of one that is not do not meet? May be
+  /// empty.
+  std::function<bool(const CurveNode& own, const CurveNode& other)> are_apart = {};
   /// Is a part folded back all along, inside of what makes it? Then no boundary, nor where one
   /// ends. May be empty.
   std::function<bool(const CurvePart& part)> is_folded = {};

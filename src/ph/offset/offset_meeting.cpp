@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "phrame/ph/offset/touching.hpp"
+
 namespace phrame::inline v0 {
 
 Interval interval_of(const CurvePart& part) {
@@ -113,6 +115,24 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
   }
 }
 
+/// Moves what is decided by algebra.
+void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
+                     const CurveSeries& series) {
+  std::vector<PointPair> told;
+  std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
+    const auto found = touching(offset, series, place);
+    if (!found) return false;
+    for (const KnownMeeting& x : *found) {
+      const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
+                                      at_start(offset, {x.second_segment, x.second_t}));
+      if (contains(told, pair)) continue;
+      told.push_back(pair);
+      result.touching.push_back({pair.first.piece, pair.first.t, pair.second.piece, pair.second.t});
+    }
+    return true;
+  });
+}
+
 }  // namespace
 
 OffsetBranches branches_of(const Offset& offset) {
@@ -168,10 +188,12 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     add_meetings(branches, first, second, pairs);
     add_meetings(branches, second, first, pairs);
   }
-  if (pairs.empty()) return result;
-  for (const auto& [a, b] : pairs) query.known.push_back({a.piece, a.t, b.piece, b.t});
-  result = self_intersections(series, query);
-  add_to(result, branches, pairs);
+  if (!pairs.empty()) {
+    for (const auto& [a, b] : pairs) query.known.push_back({a.piece, a.t, b.piece, b.t});
+    result = self_intersections(series, query);
+    add_to(result, branches, pairs);
+  }
+  decide_touching(result, branches, series);
   return result;
 }
 

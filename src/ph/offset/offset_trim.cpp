@@ -27,6 +27,7 @@
 #include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/shadow.hpp"
 #include "phrame/ph/offset/turning_parts.hpp"
+#include "phrame/ph/offset/two_sides.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -48,6 +49,7 @@ struct Stroke {
   /// What they are at the distance |d| from, at the same t: X, Y and W.
   std::vector<Vector<Polynomial>> bases;
   std::vector<int> signs;  ///< as BoundaryCurves has them
+  std::vector<std::optional<SideFoot>> feet;
 };
 
 Vector<Polynomial> constant(const Vector<Rational>& at) {
@@ -65,24 +67,24 @@ class StrokeMaker {
 
   Stroke make() {
     const auto& segments = path_.segments();
-    add(offset_, path_);
+    add(offset_, path_, false);
     if (path_.closing_turn()) {
-      add(phrame::offset(path_, -offset_.distance), path_);
+      add(phrame::offset(path_, -offset_.distance), path_, false);
       return std::move(stroke_);
     }
     const PhPath back = *reversed(Path(path_)).with_preimages();
     const Curve& last = segments.back();
-    add_cap(end_point(last), direction(plane_tangent(last), 1));
-    add(phrame::offset(back, offset_.distance), back);
+    add_cap(end_point(last), direction(plane_tangent(last), 1), {segments.size() - 1, 1, true});
+    add(phrame::offset(back, offset_.distance), back, true);
     const PlaneDirection start = direction(plane_tangent(segments.front()), 0);
-    add_cap(segments.front().start(), {-start.x, -start.y});
+    add_cap(segments.front().start(), {-start.x, -start.y}, {0, 0, true});
     stroke_.branches.behind.back() = 0;
     return std::move(stroke_);
   }
 
  private:
   /// What is behind an open end is what is added next.
-  void add(const Offset& offset, const PhPath& path) {
+  void add(const Offset& offset, const PhPath& path, bool is_reversed) {
     const std::size_t first = stroke_.branches.curves.size();
     const OffsetBranches more = branches_of(offset);
     for (std::size_t k = 0; k < more.curves.size(); ++k) {
@@ -95,18 +97,23 @@ class StrokeMaker {
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
       stroke_.signs.push_back(piece.is_join ? 0 : sign_after_zero(base.multiplier()));
+      SideFoot& foot = stroke_.feet.emplace_back(SideFoot{piece.segment, {}, is_reversed}).value();
+      if (is_reversed) foot.segment = path.segments().size() - 1 - piece.segment;
+      if (piece.is_join) foot.point = is_reversed ? 1 : 0;
+      if (piece.is_join && !is_arc) stroke_.feet.back().reset();
     }
     if (!path.closing_turn() && !more.curves.empty())
       stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }
 
-  void add_cap(const Vector<Rational>& at, const PlaneDirection& e1) {
+  void add_cap(const Vector<Rational>& at, const PlaneDirection& e1, const SideFoot& foot) {
     for (RationalCurve& curve : end_cap(at, e1, offset_.distance)) {
       stroke_.branches.curves.push_back(std::move(curve));
       stroke_.branches.behind.push_back(stroke_.branches.curves.size());
       stroke_.centers.emplace_back(at);
       stroke_.bases.push_back(constant(at));
       stroke_.signs.push_back(0);
+      stroke_.feet.emplace_back(foot);
     }
   }
 
@@ -120,6 +127,7 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
   TrimmedOffset result{phrame::offset(path, d, join), {}, {}};
   const auto& pieces = result.offset.pieces;
   const Stroke stroke = StrokeMaker(path, result.offset).make();
+  const TwoSides sides(path, stroke.feet);
   const DiscCover discs(path, d);
   const MitreKites kites(result.offset, [&](std::size_t k) { return path.segments()[k].start(); });
   const auto disc_around = [&](std::size_t piece, const Rational& t) {
@@ -130,6 +138,9 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
   BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers};
   curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
+  curves.are_apart = [&](const CurveNode& own, const CurveNode& other) {
+    return sides.are_apart(own, other);
+  };
   curves.is_cut = [&](std::size_t piece, const Rational& t) {
     return disc_around(piece, t) || kites.contain(point(pieces[piece].curve, t));
   };

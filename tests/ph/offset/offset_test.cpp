@@ -51,6 +51,16 @@ Curve tame_curve(Random& random) {
   return Curve({p(), {}, {}, p() + Polynomial{0, Rational(1, 7)}});
 }
 
+PhPath lines(const std::vector<Vector<Rational>>& points) {
+  std::vector<Segment> sides;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const Vector<Rational> way = points[k + 1] - points[k];
+    sides.emplace_back(PhSegment(
+        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
+  }
+  return *joined(sides).ph();
+}
+
 using Point = std::complex<double>;
 
 double cross(Point a, Point b) { return a.real() * b.imag() - a.imag() * b.real(); }
@@ -350,7 +360,7 @@ TEST_CASE("offset: self-intersections of paths with joins are those of polygons,
   CHECK(all >= 5);
 }
 
-TEST_CASE("offset: what coincides or touches is undecided, with its place") {
+TEST_CASE("offset: what coincides is undecided, what touches is told, with its place") {
   // The line is traced there and back: its offset, too.
   const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
   const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
@@ -359,28 +369,128 @@ TEST_CASE("offset: what coincides or touches is undecided, with its place") {
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
+  CHECK(ends.is_complete());
   CHECK(ends.found.empty());
-  REQUIRE(ends.undecided.size() == 1);
-  CHECK(ends.undecided[0].first.lower == 0);
-  CHECK(ends.undecided[0].second.upper == 1);
+  REQUIRE(ends.touching.size() == 1);
+  CHECK(ends.touching[0].first_t.rational() == Rational(0));
+  CHECK(ends.touching[0].second_t.rational() == Rational(1));
 }
 
 TEST_CASE("offset: what ends on itself, and passes there, is found by algebra") {
   // The offset of the last line ends on that of the one before, in (2, 2).
-  std::vector<Segment> sides;
-  const std::vector<Vector<Rational>> points{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}};
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const Vector<Rational> way = points[k + 1] - points[k];
-    sides.emplace_back(PhSegment(
-        std::get<Curve>(identify({Polynomial{way[0]}, Polynomial{way[1]}, {}}, points[k]))));
-  }
-  const SelfIntersections touching = self_intersections(offset(*joined(sides).ph(), -1));
+  const SelfIntersections touching = self_intersections(
+      offset(lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {1, 3, 0}, {1, 2, 0}}), -1));
   CHECK(touching.is_complete());
   REQUIRE(touching.found.size() == 3);
   CHECK(touching.found[2].first_segment == 2);
   CHECK(touching.found[2].first_t.contains(Rational(2, 3)));
   CHECK(touching.found[2].second_segment == 3);
   CHECK(touching.found[2].second_t.contains(1));
+}
+
+// Of the sides 4 and 3 with a right angle between them, and the third one, those of tan 3/4 meet at
+// 3|d| from the corner, those of a right angle at |d|, the others at 2|d|.
+TEST_CASE(
+    "offset: joins that are shorter than what doubles tell, and crossings as near to corners") {
+  const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
+  for (const long digits : {8, 20, 100}) {
+    CAPTURE(digits);
+    const Rational d = power_of_ten(-digits);
+    const SelfIntersections outside = self_intersections(offset(triangle, d));
+    CHECK(outside.is_complete());
+    CHECK(outside.found.empty());
+    const SelfIntersections inside = self_intersections(offset(triangle, -d));
+    CHECK(inside.is_complete());
+    REQUIRE(inside.found.size() == 3);
+    const auto is_near = [](const RealBall& t, const Rational& exact) {
+      return t.contains(exact) && (exact > Rational(1, 2) || t.accuracy_bits() >= 40);
+    };
+    CHECK(is_near(inside.found[0].first_t, 3 * d / 4));
+    CHECK(is_near(inside.found[0].second_t, 1 - 3 * d / 5));
+    CHECK(is_near(inside.found[1].first_t, 1 - d / 4));
+    CHECK(is_near(inside.found[1].second_t, d / 3));
+    CHECK(is_near(inside.found[2].first_t, 1 - 2 * d / 3));
+    CHECK(is_near(inside.found[2].second_t, 2 * d / 5));
+  }
+}
+
+// Of a path that turns left three times the offsets to the right do not meet, and those to the left
+// once at each corner.
+TEST_CASE("offset: runs of many tiny pieces that turn by more than a half-plane") {
+  const PhPath path = lines({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, Rational(1, 2), 0}});
+  for (const long sign : {1, -1}) {
+    const SelfIntersections found = self_intersections(offset(path, sign * power_of_ten(-40)));
+    CHECK(found.is_complete());
+    CHECK(found.found.size() == (sign > 0 ? 0 : 3));
+  }
+}
+
+/// How many crossings and touching places there are, if that is all.
+std::pair<std::size_t, std::size_t> counts(const Curve& curve, const Rational& d) {
+  const SelfIntersections found = self_intersections(offset(PhPath(curve), d));
+  CHECK(found.is_complete());
+  return {found.found.size(), found.touching.size()};
+}
+
+// With w = 1/2 + iu, u = 2t - 1 and v = u^2 the offset has x - x(1/2) = u (1/4 - v/3 + 4d/(1 + 4v))
+// / 2, which at d = -1/24 has a double root in v = 1/4.
+TEST_CASE("offset: halves of a mirrored curve that touch each other on the axis, or nearly") {
+  const Curve curve({{Rational(1, 2)}, {}, {}, {-1, 2}});
+  const Rational d(-1, 24);
+  const SelfIntersections exact = self_intersections(offset(PhPath(curve), d));
+  CHECK(exact.is_complete());
+  CHECK(exact.found.empty());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_t.rational() == Rational(1, 4));
+  CHECK(exact.touching[0].second_t.rational() == Rational(3, 4));
+  CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(0UL, 0UL));
+  CHECK(counts(curve, d + power_of_ten(-30)) == std::pair(2UL, 0UL));
+}
+
+// With dr/du = (1 - 20/19 v)(1 + iu)^2 it is u (I + 2d/(1 + v)) with I = 1 - 13/19 v + 4/19 v^2.
+// Then (I (1 + v))' = 0 at v = 1/2, where I (1 + v) = 81/76: at d = -81/152 two cusps meet at u =
+// +-sqrt(1/2).
+TEST_CASE("offset: two cusps that meet on the axis of a mirrored curve") {
+  const Polynomial u{Rational(-9, 10), Rational(9, 5)};
+  const Curve curve({{1}, {}, {}, u}, Rational(9, 5) * (Polynomial{1} - Rational(20, 19) * u * u));
+  const Rational d(-81, 152);
+  const SelfIntersections exact = self_intersections(offset(PhPath(curve), d));
+  CHECK(exact.is_complete());
+  CHECK(exact.found.size() == 2);
+  REQUIRE(exact.touching.size() == 1);
+  const auto& [first, s, second, t] = exact.touching[0];
+  CHECK(approximate(enclose(s, 64)) == doctest::Approx(0.5 - 5 * std::sqrt(0.5) / 9));
+  CHECK(approximate(enclose(t, 64)) == doctest::Approx(0.5 + 5 * std::sqrt(0.5) / 9));
+  CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(2UL, 0UL));
+}
+
+// The tip of the notch is 2 above the lowest side, or 10^-30 more or less: the arc about it, and
+// the offset of that side, touch in (5, 1).
+TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
+  const auto meetings = [](const Rational& floor) {
+    return self_intersections(offset(lines({{0, floor, 0},
+                                            {10, floor, 0},
+                                            {10, 8, 0},
+                                            {Rational(19, 2), 8, 0},
+                                            {5, 2, 0},
+                                            {Rational(1, 2), 8, 0},
+                                            {0, 8, 0},
+                                            {0, floor, 0}}),
+                                     -1));
+  };
+  const SelfIntersections exact = meetings(0);
+  CHECK(exact.is_complete());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_segment == 0);
+  CHECK(exact.touching[0].first_t.rational() == Rational(1, 2));
+  const SelfIntersections apart = meetings(-power_of_ten(-30));
+  const SelfIntersections crossing = meetings(power_of_ten(-30));
+  for (const SelfIntersections& found : {apart, crossing}) {
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+  }
+  CHECK(apart.found.size() == exact.found.size());
+  CHECK(crossing.found.size() == exact.found.size() + 2);
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {
