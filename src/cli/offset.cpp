@@ -27,7 +27,7 @@ struct OffsetOptions {
   long digits = 17;
   std::optional<std::string> gauge;
   std::optional<std::string> given;
-  std::string tolerance = "1e-6";
+  std::optional<std::string> tolerance;
 };
 
 OffsetQuery query(const OffsetOptions& options) {
@@ -154,7 +154,7 @@ void run_check(const OffsetOptions& options) {
                          asked.join,
                          asked.trim,
                          {},
-                         parse_positive_option("--tol", options.tolerance)};
+                         parse_positive_option("--tol", options.tolerance.value_or("1e-6"))};
   add_foreign(check.given, *options.given, options);
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
@@ -168,11 +168,12 @@ void run_check(const OffsetOptions& options) {
 void run(const OffsetOptions& options) {
   if (options.given) return run_check(options);
   const BoundaryPrinter<OffsetAnswer> printer(options.print, write_offsets);
+  const std::optional<Rational> tolerance = gcode_tolerance(options.tolerance, options.output);
   OffsetQuery asked = query(options);
   if (options.gauge) asked.gauge = read_gauge(*options.gauge);
   const OffsetAnswer found =
       answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
-  printer.write(found, options.output, options.length);
+  printer.write(found, options.output, options.length, tolerance);
   if (!found.without.empty()) throw AnswerNo{};
 }
 
@@ -202,22 +203,23 @@ void add_offset(Program& program) {
       "how far that is from the exact offset, to both sides, proved: a table of points,\n"
       "a polyline, or curves, a line each");
   command.add_option("--tol", "BOUND", options->tolerance,
-                     "the distance that is allowed (default 1e-6)");
+                     "the distance that is allowed, with --check 1e-6 by default, of G-code\n"
+                     "|d|/1000");
   add_digits(command, options->digits);
   command.add_option(
       "-o,--output", "FILE", options->output,
       "write the offset to this file, beside the report: a curve file, several paths\n"
       "a line each; as .dxf a spline for each; as .svg by cubics within |d|/1000000,\n"
-      "or 1/1000000000 of their size, proved; as .html a page for a browser: path,\n"
-      "offsets, marks at cusps, meetings and cuts, lengths, the report");
-  command.writes("a curve in JSON, DXF or SVG there, or a page",
-                 {"json", "jsonl", "dxf", "svg", "html", "htm"});
+      "or 1/1000000000 of their size, proved; as .nc G-code, lines within --tol, proved;\n"
+      "as .html a page for a browser: path, offsets, marks at cusps, meetings and cuts,\n"
+      "lengths, the report");
+  command.writes(boundary_formats, boundary_endings());
   command.add_format(
       "--print", options->print, {"text", "json", "latex", "curve", "nurbs"},
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"
       "nurbs, each path as one NURBS");
   options->length.add_to(command);
-  command.only_with({"--tol"}, {"--check"});
+  command.only_with({"--tol"}, {"--check", "--output"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
   command.not_with({"--check"}, {"--gauge"});
   command.set_notes(
@@ -243,6 +245,7 @@ void add_offset(Program& program) {
       "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset outline.json --distance -1/2 --trim --check theirs.csv --tol 1e-3\n"
       "  phrame offset outline.json --distance -1/8 --pocket -o pocket.dxf\n"
+      "  phrame offset outline.json --distance -1/8 --pocket -o pocket.nc --tol 0.01\n"
       "  phrame offset drawing.svg --distance 2 --near 1e-4 --trim -o around.svg\n"
       "  phrame offset curve.json --distance 1/2 --gauge ellipse.json\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");

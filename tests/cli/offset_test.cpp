@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
@@ -229,6 +233,70 @@ TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {
   check_success(here.run("offset triangle.json --distance -1/2,-1/3 --trim -o in.svg"));
   CHECK(contains(bytes_of(here.file("in.svg")), "<title>a&lt;b</title>"));
   CHECK(contains(here.run("info in.svg --pick offset-2").out, "closed"));
+}
+
+TEST_CASE("offset: as G-code, lines within --tol, and G0 from part to part") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const auto lines = [&](const std::string& file) {
+    std::vector<std::string> list;
+    std::istringstream text(bytes_of(here.file(file)));
+    for (std::string line; std::getline(text, line);) list.push_back(line);
+    return list;
+  };
+  // Its points and middles of lines, without the reader: r = (t - t^3/3, t^2), n = (2t, t^2 - 1)/s.
+  for (const double tolerance : {1e-3, 1e-5}) {
+    CAPTURE(tolerance);
+    check_success(
+        here.run(fmt::format("offset turn.json --distance 1/2 -o off.nc --tol {}", tolerance)));
+    std::vector<std::array<double, 2>> points;
+    for (const std::string& line : lines("off.nc"))
+      if (const std::size_t at = line.find(" X"); at != std::string::npos)
+        points.push_back(
+            {std::stod(line.substr(at + 2)), std::stod(line.substr(line.find('Y') + 1))});
+    double most = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      const double x = (points[k][0] + points[k + 1][0]) / 2;
+      const double y = (points[k][1] + points[k + 1][1]) / 2;
+      double t = x;
+      for (int steps = 0; steps < 50; ++steps)
+        t += ((x - t + t * t * t / 3) * (1 - t * t) + (y - t * t) * 2 * t) /
+             ((1 + t * t) * (1 + t * t) * 1.5);
+      most = std::max(most, std::abs(std::hypot(x - t + t * t * t / 3, y - t * t) - 0.5));
+    }
+    CHECK(most < tolerance);
+    CHECK(most > tolerance / 2);  // no more lines than are of use
+    CHECK(std::hypot(points.front()[0], points.front()[1] + 0.5) < tolerance / 4);
+    CHECK(std::hypot(points.back()[0] - 7.0 / 6, points.back()[1] - 1) < tolerance / 4);
+    check_success(here.run(
+        fmt::format("offset turn.json --distance 1/2 --check off.nc --tol {}", tolerance)));
+  }
+  // Triangles in a triangle of sides 3, 4, 5, whose inner circle has the radius 1.
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  check_success(here.run("offset triangle.json --distance -1/2 --pocket -o in.ngc --tol 0.1"));
+  const std::vector<std::string> pocket{
+      "N1 G90", "N2 G0 X1.50 Y0.50", "N3 G1 X3.50 Y0.50", "N4 G1 X3.50 Y2.00", "N5 G1 X1.50 Y0.50",
+      "N6 M30"};
+  std::vector<std::string> blocks;
+  for (const std::string& line : lines("in.ngc"))
+    if (line.starts_with("N")) blocks.push_back(line);
+  CHECK(blocks == pocket);
+  CHECK(contains(bytes_of(here.file("in.ngc")), "(phrame: lines within 1.0e-1 of the offset)"));
+  // Two paths, as it turns back at a joint, of which the second begins where the first ends.
+  here.write("arc.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2]},
+      {"control_points": [[0, 1, 0], [-3, 1, 0]]}]})");
+  check_success(here.run("offset arc.json --distance -2 -o turns.tap"));
+  const std::string turns = bytes_of(here.file("turns.tap"));
+  CHECK(turns.find(" G0 X") == turns.rfind(" G0 X"));
+  CHECK(contains(turns, " G1 X-3.0000 Y-1.0000\n"));
+  check_failure(here.run("offset arc.json --distance -2 -o far.nc --tol 1e-12"), 2,
+                "phrame: --tol: 1.0e-12 is less than 1e-8 of the size of a path\n");
+  check_failure(here.run("offset arc.json --distance -2 -o far.svg --tol 1e-3"), 2,
+                "phrame: --tol: needs G-code, as of -o FILE.nc\n");
+  CHECK_FALSE(std::filesystem::exists(here.file("far.nc")));
 }
 
 namespace {
@@ -639,8 +707,7 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   here.write("triangle.svg", "M0,0 L3,0 L0,2 Z");
   const auto found = here.run("offset triangle.svg --distance 1/2 --near 1e-9 --trim --print json");
   CHECK(found.status == 0);
-  CHECK(
-      found.err.starts_with("phrame: triangle.svg: in its place a PH spline of 3 segments, at "));
+  CHECK(found.err.starts_with("phrame: triangle.svg: in its place a PH spline of 3 segments, at "));
   const auto branch = nlohmann::json::parse(found.out)["trimmed"][0]["branches"][0];
   const auto number = [&](const char* key) {
     return std::stod(branch[key]["value"].get<std::string>());
