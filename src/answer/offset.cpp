@@ -209,6 +209,10 @@ class Pocket {
  public:
   Pocket(const Trimming& trimming, const Rational& d, long digits)
       : trimming_(trimming), digits_(digits) {
+    constexpr long most_levels = 10'000;
+    if (!trimming.at(most_levels * d).branches.empty())
+      throw DomainError("pocket: something is left at more than " + std::to_string(most_levels) +
+                        " multiples of " + abbreviated(to_string(d)));
     for (Rational sum = d;; sum += d) {
       TrimmedOffset next = trimming.at(sum);
       if (next.branches.empty()) break;
@@ -310,12 +314,23 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   return found;
 }
 
-OffsetAnswer::Part part_of(const Rational& end, const Offset& offset, long digits,
-                           bool is_euclidean) {
-  if (offset.pieces.empty())
-    throw DomainError("offset: at the distance " + to_string(offset.distance) +
+/// The offsets of a path with that end at the distances asked for. Where nothing but points is left
+/// at some of them, these have no paths.
+std::vector<OffsetAnswer::Part> parts_of(const Rational& end, const OffsetQuery& query,
+                                         const std::function<Offset(const Rational& d)>& at) {
+  std::vector<OffsetAnswer::Part> parts;
+  for (const Rational& d : query.distances) {
+    const Offset offset = at(d);
+    if (offset.pieces.empty())
+      parts.push_back(
+          {d, {}, {}, {}, {}, false, {}, {}, measure(Rational(0), "", query.digits), {}});
+    else
+      parts.push_back(OffsetReport(end, offset, query.digits, !query.gauge).make());
+  }
+  if (std::ranges::all_of(parts, [](const auto& part) { return part.paths.empty(); }))
+    throw DomainError("offset: at the distance " + to_string(query.distances.front()) +
                       " nothing but points is left");
-  return OffsetReport(end, offset, digits, is_euclidean).make();
+  return parts;
 }
 
 /// Why there is none to either side.
@@ -378,9 +393,8 @@ OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
     answer.trimmed = trimmed(named.path, {named.path.end(), at, measuring}, query);
     return answer;
   }
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
+  answer.offsets = parts_of(named.path.end(), query,
+                            [&](const Rational& d) { return offsets.at(d, query.join); });
   return answer;
 }
 
@@ -399,9 +413,8 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
     answer.trimmed = trimmed(*path, {path->end(), at, measuring}, query);
     return answer;
   }
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        part_of(path->end(), offset(*path, d, query.join), query.digits, true));
+  answer.offsets =
+      parts_of(path->end(), query, [&](const Rational& d) { return offset(*path, d, query.join); });
   return answer;
 }
 

@@ -50,16 +50,18 @@ class BoundaryPrinter {
   void write(const Answer& answer, const std::string& file, const TextLength& length,
              const std::optional<Rational>& tolerance) const {
     const bool is_curve = print_ == as_curves_ || print_ == as_nurbs;
-    if (!file.empty()) {
-      const std::string end = ending(file);
-      write_output(file, end == "svg"                    ? write_svg(drawing(answer))
-                         : end == "dxf"                  ? write_dxf(nurbs(answer))
-                         : is_gcode(file)                ? as_gcode(answer, tolerance)
-                         : end == "html" || end == "htm" ? to_page(answer)
-                         : is_curve                      ? print_(answer)
-                                                         : as_curves_(answer));
-    }
-    if (file.empty() || !is_curve) length.write("-", print_(answer));
+    const std::string end = ending(file);
+    if (end == "svg")
+      write_output(file, write_svg(drawing(answer)));
+    else if (end == "dxf")
+      write_output(file, write_dxf(nurbs(answer)));
+    else if (is_gcode(file))
+      write_output(file, as_gcode(answer, tolerance));
+    else if (end == "html" || end == "htm")
+      write_output(file, to_page(answer));
+    else if (!file.empty() || is_curve)
+      write_curves(file.empty() ? "-" : file, is_curve ? print_(answer) : as_curves_(answer));
+    if (!is_curve) length.write("-", print_(answer));
   }
 
  private:

@@ -46,26 +46,29 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
+/// As it is, whatever --near says.
 NamedPath read_as_it_is(CurveOptions options) {
   options.near.reset();
   options.is_for_frames = false;
   return options.read_any_path();
 }
 
-/// A PH path within --near, of the same degrees if there is one, else one of near_plane_path().
+/// A PH path within --near. Control points may leave gaps, which one of the same degrees closes.
 NamedPath read_near(const CurveOptions& options) {
+  const std::string file = name_of_file(options.path);
+  std::optional<NamedPath> named;
   try {
-    return options.read_path_with_preimages();
+    named = read_as_it_is(options);
   } catch (const InputError&) {
-    const std::string file = name_of_file(options.path);
-    const NamedPath named = read_as_it_is(options);
-    NearPath near =
-        at_option(file, [&] { return near_plane_path(named.path, options.epsilon().value()); });
+    return options.read_path_with_preimages();
+  }
+  NamedPhPath near =
+      at_option(file, [&] { return near_ph_path(*named, options.epsilon().value()); });
+  if (near.near)
     note_at_end(fmt::format("{}: in its place a PH spline of {}, at most {} from it", file,
                             counted(near.path.segments().size(), "segment"),
-                            upper_bound_text(near.nearness.distance)));
-    return NamedPhPath(named.name, std::move(near.path), std::move(near.nearness));
-  }
+                            upper_bound_text(near.near->distance)));
+  return near;
 }
 
 bool is_in_plane(const Segment& segment) {
@@ -78,26 +81,19 @@ bool is_in_plane(const Segment& segment) {
 NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
-  try {
-    return options.read_path_with_preimages();
-  } catch (const InputError&) {
-    const std::exception_ptr not_ph = std::current_exception();
-    std::optional<NamedPath> other;
-    try {
-      other = read_as_it_is(options);
-    } catch (const Error&) {  // it is no curve
-    }
-    if (!other || !std::ranges::all_of(other->path.segments(), is_in_plane))
-      std::rethrow_exception(not_ph);
-    const auto& segments = other->path.segments();
-    using Kind = OffsetKind::Kind;
-    const Kind kind =
-        segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
-    if (kind == Kind::two_sided || kind == Kind::each_side) return options.read_any_path();
-    throw InputError(name_of_file(options.path),
-                     "the path is not PH, so that its offset is not rational: with --near EPS that "
-                     "of a PH path at most EPS away is taken");
-  }
+  options.is_for_frames = false;
+  NamedPath named = options.read_any_path();
+  if (named.path.with_preimages()) return named;
+  const auto& segments = named.path.segments();
+  if (!std::ranges::all_of(segments, is_in_plane))
+    return options.read_path_with_preimages();  // which says why it is not PH
+  using Kind = OffsetKind::Kind;
+  const Kind kind =
+      segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
+  if (kind == Kind::two_sided || kind == Kind::each_side) return named;
+  throw InputError(name_of_file(options.path),
+                   "the path is not PH, so that its offset is not rational: with --near EPS that "
+                   "of a PH path at most EPS away is taken");
 }
 
 Gauge read_gauge(const std::string& file) {
@@ -174,7 +170,8 @@ void run(const OffsetOptions& options) {
   const OffsetAnswer found =
       answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
   printer.write(found, options.output, options.length, tolerance);
-  if (!found.without.empty()) throw AnswerNo{};
+  const auto is_none = [](const OffsetAnswer::Part& part) { return part.paths.empty(); };
+  if (!found.without.empty() || std::ranges::any_of(found.offsets, is_none)) throw AnswerNo{};
 }
 
 }  // namespace

@@ -203,6 +203,8 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
   here.write("corner.json", corner);
   check_failure(here.run("offset corner.json --distance -1 --pocket"), 3,
                 "phrame: pocket: the path is open\n");
+  check_failure(here.run("offset rooms.json --distance -1e-9 --pocket"), 3,
+                "phrame: pocket: something is left at more than 10000 multiples of -1/1000000000\n");
   check_failure(here.run("offset rooms.json --distance -1,-2 --pocket"), 2,
                 "phrame: --pocket: one distance is wanted, of which the others are multiples\n");
 }
@@ -724,6 +726,36 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   check_failure(here.run("offset triangle.svg --distance 1/2 --near 1e-40 -o off.json"), 4,
                 "phrame: undecided: segment 2: no PH curves were found that are near enough\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset: of an arc, a point at one of two distances") {
+  const Workshop here;
+  here.write("arc.json",
+             R"({"phrame": "curve/1", "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]],
+      "weights": [1, 1, 2]})");
+  const Run run = here.run("offset arc.json --distance -1,1/2 -o off.json");
+  CHECK(run.status == 1);
+  CHECK(contains(
+      run.out,
+      "−1, to the left of travel\n  exact                 none: nothing but points is left\n\n"));
+  CHECK(contains(run.out, "length                3π/4 ≈ 2.3561944901923449"));
+  CHECK(contains(here.run("info off.json").out, "rational PH curve of degree 2"));
+  const Json json = Json::parse(here.run("offset arc.json --distance -1,1/2 --print json").out);
+  CHECK(json["offsets"][0]["paths"].empty());
+  CHECK(json["offsets"][1]["paths"].size() == 1);
+  check_failure(here.run("offset arc.json --distance -1"), 3,
+                "phrame: offset: at the distance -1 nothing but points is left\n");
+}
+
+TEST_CASE("offset: numbers that would be too long to be read again are not written") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  check_success(here.run("offset turn.json --distance 1e-2000 -o off.json"));
+  check_success(here.run("info off.json"));
+  const std::string reason = " bits, of which phrame reads no more than 20000\n";
+  check_failure(here.run("offset turn.json --distance 1e-5900 -o far.json"), 2, reason);
+  check_failure(here.run("offset turn.json --distance 1e-5900 --print curve"), 2, reason);
+  CHECK_FALSE(std::filesystem::exists(here.file("far.json")));
 }
 
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {
