@@ -210,19 +210,6 @@ bool are_alike(const Offset& a, std::size_t of_a, const Offset& b, std::size_t o
 
 constexpr long most_passes = 10'000;
 
-/// Within A there is a point as far from the path as A/L: else all of A would be in the strip along
-/// the path that is that wide.
-void require_few_passes(const Real& area, const Path& path, const Rational& d) {
-  constexpr long bits = 64;
-  const RealBall width =
-      divide(absolute(area.enclose(bits)), Real(PathLength(path).total()).enclose(bits), bits);
-  const Rational passes = width.midpoint() / abs(d);
-  if (passes >= most_passes)
-    throw InputError(
-        "pocket", fmt::format("the distance {} takes about {} passes, of {} at most", to_string(d),
-                              round_to_decimal(Real(passes), 3).value, most_passes));
-}
-
 /// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
 /// nearest point of the path, along n or U, there is a point of each before it, at the same
 /// parameter of the same piece: so what a branch is inside of is told by that alone.
@@ -230,10 +217,10 @@ class Pocket {
  public:
   Pocket(const Trimming& trimming, const Rational& d, long digits)
       : trimming_(trimming), digits_(digits) {
+    if (!trimming.at(most_passes * d).branches.empty())
+      throw InputError("pocket", fmt::format("something is left at {} multiples of the distance {}",
+                                             most_passes, abbreviated(to_string(d))));
     for (Rational sum = d;; sum += d) {
-      if (levels_.size() == most_passes)
-        throw InputError("pocket", fmt::format("the distance {} takes more than {} passes",
-                                               to_string(d), most_passes));
       TrimmedOffset next = trimming.at(sum);
       if (next.branches.empty()) break;
       levels_.push_back(std::move(next));
@@ -289,10 +276,8 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
   };
   if (!std::ranges::all_of(path.segments(), is_plane))
     throw DomainError("offset: the path is in no plane z = const");
-  const Real area = signed_area(path);
-  if (sign_of(area) * d.sign() >= 0)
+  if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
-  require_few_passes(area, path, d);
   return Pocket(trimming, d, query.digits).make();
 }
 
@@ -336,12 +321,23 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
   return found;
 }
 
-OffsetAnswer::Part part_of(const Rational& end, const Offset& offset, long digits,
-                           bool is_euclidean) {
-  if (offset.pieces.empty())
-    throw DomainError("offset: at the distance " + to_string(offset.distance) +
+/// The offsets of a path with that end at the distances asked for. Where nothing but points is left
+/// at some of them, these have no paths.
+std::vector<OffsetAnswer::Part> parts_of(const Rational& end, const OffsetQuery& query,
+                                         const std::function<Offset(const Rational& d)>& at) {
+  std::vector<OffsetAnswer::Part> parts;
+  for (const Rational& d : query.distances) {
+    const Offset offset = at(d);
+    if (offset.pieces.empty())
+      parts.push_back(
+          {d, {}, {}, {}, {}, false, {}, {}, measure(Rational(0), "", query.digits), {}});
+    else
+      parts.push_back(OffsetReport(end, offset, query.digits, !query.gauge).make());
+  }
+  if (std::ranges::all_of(parts, [](const auto& part) { return part.paths.empty(); }))
+    throw DomainError("offset: at the distance " + to_string(query.distances.front()) +
                       " nothing but points is left");
-  return OffsetReport(end, offset, digits, is_euclidean).make();
+  return parts;
 }
 
 /// Why there is none to either side.
@@ -404,9 +400,8 @@ OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
     answer.trimmed = trimmed(named.path, {named.path.end(), at, measuring}, query);
     return answer;
   }
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        part_of(named.path.end(), offsets.at(d, query.join), query.digits, false));
+  answer.offsets = parts_of(named.path.end(), query,
+                            [&](const Rational& d) { return offsets.at(d, query.join); });
   return answer;
 }
 
@@ -425,9 +420,8 @@ OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
     answer.trimmed = trimmed(*path, {path->end(), at, measuring}, query);
     return answer;
   }
-  for (const Rational& d : query.distances)
-    answer.offsets.push_back(
-        part_of(path->end(), offset(*path, d, query.join), query.digits, true));
+  answer.offsets =
+      parts_of(path->end(), query, [&](const Rational& d) { return offset(*path, d, query.join); });
   return answer;
 }
 

@@ -35,6 +35,21 @@ struct ToleranceRange {
 OffsetDrawing drawing(const OffsetAnswer& answer);
 OffsetDrawing drawing(const EnvelopeAnswer& answer);
 
+/// All paths of an answer by lines, for machines that go along lines.
+struct OffsetPolylines {
+  using Point = std::array<Integer, 2>;  ///< x and y, times 10^places
+
+  std::string question;                   ///< "offset" or "envelope"
+  std::vector<std::vector<Point>> paths;  ///< in their order
+  long places;                            ///< decimals
+  Rational tolerance;                     ///< each is within that of the path, which is proved
+};
+/// Within the tolerance, by default a thousandth of the least distance or of the greatest radius.
+/// Throws InputError where that is less than 10⁻⁸ of the size of a path, or asks for more than a
+/// million lines.
+OffsetPolylines polylines(const OffsetAnswer& answer, const std::optional<Rational>& tolerance);
+OffsetPolylines polylines(const EnvelopeAnswer& answer, const std::optional<Rational>& tolerance);
+
 /// The paths of an answer, each as one curve, exactly.
 struct OffsetNurbs {
   /// One of them.

@@ -277,6 +277,8 @@ std::optional<PiecewiseFile> file_in_pieces(const std::string& path);
 /// Writes all or nothing: a file is written beside its place and renamed. "-" is standard output.
 /// Throws InputError.
 void write_output(const std::string& path, const std::string& bytes);
+/// The same of curve files. Throws InputError where a number is too long to be read again.
+void write_curves(const std::string& path, const std::string& text);
 
 /// The same in parts: what was written before finish() is of no file yet, though it may have left
 /// by a stream.

@@ -13,15 +13,18 @@ struct EnvelopeOptions {
   std::string print = "text";
   TextLength length;
   std::string output;
+  std::optional<std::string> tolerance;
   long digits = 17;
 };
 
 void run(const EnvelopeOptions& options) {
   const BoundaryPrinter<EnvelopeAnswer> printer(options.print, write_envelope);
+  const std::optional<Rational> tolerance = gcode_tolerance(options.tolerance, options.output);
   const std::string text = read_file(options.axis);
   const NamedAxis axis =
       at_place(name_of_file(options.axis), ":", [&] { return read_axis(text, options.limits); });
-  printer.write(answer(axis, {options.trim, options.digits}), options.output, options.length);
+  printer.write(answer(axis, {options.trim, options.digits}), options.output, options.length,
+                tolerance);
 }
 
 }  // namespace
@@ -38,12 +41,17 @@ void add_envelope(Program& program) {
                    "of the discs, of which AXIS is the medial axis");
   add_digits(command, options->digits);
   command.only_with({"--digits"}, {"--trim"});
-  command.add_option("-o,--output", "FILE", options->output,
-                     "write the envelope to this file, beside the report: a curve file, several\n"
-                     "paths a line each; as .dxf a spline for each; as .svg by cubics within\n"
-                     "1/1000000 of the greatest radius, proved; as .html a page for a browser");
-  command.writes("a curve in JSON, DXF or SVG there, or a page",
-                 {"json", "jsonl", "dxf", "svg", "html", "htm"});
+  command.add_option(
+      "-o,--output", "FILE", options->output,
+      "write the envelope to this file, beside the report: a curve file, several\n"
+      "paths a line each; as .dxf a spline for each; as .svg by cubics within\n"
+      "1/1000000 of the greatest radius, proved; as .nc G-code, lines within --tol,\n"
+      "proved; as .html a page for a browser");
+  command.writes(boundary_formats, boundary_endings());
+  command.add_option("--tol", "BOUND", options->tolerance,
+                     "the distance that is allowed of G-code (default 1/1000 of the greatest\n"
+                     "radius)");
+  command.only_with({"--tol"}, {"--output"});
   command.add_format(
       "--print", options->print, {"text", "json", "latex", "curve", "nurbs"},
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"

@@ -14,6 +14,7 @@
 #include "phrame/cli/exchange.hpp"
 #include "phrame/cli/progress_line.hpp"
 #include "phrame/cli/watchdog.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/write/text.hpp"
 
 namespace phrame::inline v0::cli {
@@ -166,6 +167,23 @@ void write_output(const std::string& path, const std::string& bytes) {
   Output output(path);
   output.write(bytes);
   output.finish();
+}
+
+void write_curves(const std::string& path, const std::string& text) {
+  constexpr std::size_t digits = most_number_bits * 3 / 10;  // fewer never are too many bits
+  for (std::size_t start = 0; (start = text.find('"', start)) != std::string::npos;) {
+    const std::size_t end = text.find('"', start + 1);
+    if (end - start > digits) {
+      const long bits = bits_of(parse_rational(text.substr(start + 1, end - start - 1)));
+      if (bits > most_number_bits)
+        throw InputError(
+            fmt::format("the curve would have a number of {} bits, of which phrame "
+                        "reads no more than {}",
+                        bits, most_number_bits));
+    }
+    start = end + 1;
+  }
+  write_output(path, text);
 }
 
 void note(std::string_view text) {

@@ -27,7 +27,7 @@ struct OffsetOptions {
   long digits = 17;
   std::optional<std::string> gauge;
   std::optional<std::string> given;
-  std::string tolerance = "1e-6";
+  std::optional<std::string> tolerance;
 };
 
 OffsetQuery query(const OffsetOptions& options) {
@@ -46,26 +46,29 @@ OffsetQuery query(const OffsetOptions& options) {
   return query;
 }
 
+/// As it is, whatever --near says.
 NamedPath read_as_it_is(CurveOptions options) {
   options.near.reset();
   options.is_for_frames = false;
   return options.read_any_path();
 }
 
-/// A PH path within --near, of the same degrees if there is one, else one of near_plane_path().
+/// A PH path within --near. Control points may leave gaps, which one of the same degrees closes.
 NamedPath read_near(const CurveOptions& options) {
+  const std::string file = name_of_file(options.path);
+  std::optional<NamedPath> named;
   try {
-    return options.read_path_with_preimages();
+    named = read_as_it_is(options);
   } catch (const InputError&) {
-    const std::string file = name_of_file(options.path);
-    const NamedPath named = read_as_it_is(options);
-    NearPath near =
-        at_option(file, [&] { return near_plane_path(named.path, options.epsilon().value()); });
+    return options.read_path_with_preimages();
+  }
+  NamedPhPath near =
+      at_option(file, [&] { return near_ph_path(*named, options.epsilon().value()); });
+  if (near.near)
     note_at_end(fmt::format("{}: in its place a PH spline of {}, at most {} from it", file,
                             counted(near.path.segments().size(), "segment"),
-                            upper_bound_text(near.nearness.distance)));
-    return NamedPhPath(named.name, std::move(near.path), std::move(near.nearness));
-  }
+                            upper_bound_text(near.near->distance)));
+  return near;
 }
 
 bool is_in_plane(const Segment& segment) {
@@ -78,26 +81,19 @@ bool is_in_plane(const Segment& segment) {
 NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
-  try {
-    return options.read_path_with_preimages();
-  } catch (const InputError&) {
-    const std::exception_ptr not_ph = std::current_exception();
-    std::optional<NamedPath> other;
-    try {
-      other = read_as_it_is(options);
-    } catch (const Error&) {  // it is no curve
-    }
-    if (!other || !std::ranges::all_of(other->path.segments(), is_in_plane))
-      std::rethrow_exception(not_ph);
-    const auto& segments = other->path.segments();
-    using Kind = OffsetKind::Kind;
-    const Kind kind =
-        segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
-    if (kind == Kind::two_sided || kind == Kind::each_side) return options.read_any_path();
-    throw InputError(name_of_file(options.path),
-                     "the path is not PH, so that its offset is not rational: with --near EPS that "
-                     "of a PH path at most EPS away is taken");
-  }
+  options.is_for_frames = false;
+  NamedPath named = options.read_any_path();
+  if (named.path.with_preimages()) return named;
+  const auto& segments = named.path.segments();
+  if (!std::ranges::all_of(segments, is_in_plane))
+    return options.read_path_with_preimages();  // which says why it is not PH
+  using Kind = OffsetKind::Kind;
+  const Kind kind =
+      segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
+  if (kind == Kind::two_sided || kind == Kind::each_side) return named;
+  throw InputError(name_of_file(options.path),
+                   "the path is not PH, so that its offset is not rational: with --near EPS that "
+                   "of a PH path at most EPS away is taken");
 }
 
 Gauge read_gauge(const std::string& file) {
@@ -154,7 +150,7 @@ void run_check(const OffsetOptions& options) {
                          asked.join,
                          asked.trim,
                          {},
-                         parse_positive_option("--tol", options.tolerance)};
+                         parse_positive_option("--tol", options.tolerance.value_or("1e-6"))};
   add_foreign(check.given, *options.given, options);
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
@@ -168,12 +164,14 @@ void run_check(const OffsetOptions& options) {
 void run(const OffsetOptions& options) {
   if (options.given) return run_check(options);
   const BoundaryPrinter<OffsetAnswer> printer(options.print, write_offsets);
+  const std::optional<Rational> tolerance = gcode_tolerance(options.tolerance, options.output);
   OffsetQuery asked = query(options);
   if (options.gauge) asked.gauge = read_gauge(*options.gauge);
   const OffsetAnswer found =
       answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
-  printer.write(found, options.output, options.length);
-  if (!found.without.empty()) throw AnswerNo{};
+  printer.write(found, options.output, options.length, tolerance);
+  const auto is_none = [](const OffsetAnswer::Part& part) { return part.paths.empty(); };
+  if (!found.without.empty() || std::ranges::any_of(found.offsets, is_none)) throw AnswerNo{};
 }
 
 }  // namespace
@@ -202,22 +200,23 @@ void add_offset(Program& program) {
       "how far that is from the exact offset, to both sides, proved: a table of points,\n"
       "a polyline, or curves, a line each");
   command.add_option("--tol", "BOUND", options->tolerance,
-                     "the distance that is allowed (default 1e-6)");
+                     "the distance that is allowed, with --check 1e-6 by default, of G-code\n"
+                     "|d|/1000");
   add_digits(command, options->digits);
   command.add_option(
       "-o,--output", "FILE", options->output,
       "write the offset to this file, beside the report: a curve file, several paths\n"
       "a line each; as .dxf a spline for each; as .svg by cubics within |d|/1000000,\n"
-      "or 1/1000000000 of their size, proved; as .html a page for a browser: path,\n"
-      "offsets, marks at cusps, meetings and cuts, lengths, the report");
-  command.writes("a curve in JSON, DXF or SVG there, or a page",
-                 {"json", "jsonl", "dxf", "svg", "html", "htm"});
+      "or 1/1000000000 of their size, proved; as .nc G-code, lines within --tol, proved;\n"
+      "as .html a page for a browser: path, offsets, marks at cusps, meetings and cuts,\n"
+      "lengths, the report");
+  command.writes(boundary_formats, boundary_endings());
   command.add_format(
       "--print", options->print, {"text", "json", "latex", "curve", "nurbs"},
       "text (default), json, latex, or the curve file instead of a report: curve, or\n"
       "nurbs, each path as one NURBS");
   options->length.add_to(command);
-  command.only_with({"--tol"}, {"--check"});
+  command.only_with({"--tol"}, {"--check", "--output"});
   command.not_with({"--pocket", "--digits"}, {"--check"});
   command.not_with({"--check"}, {"--gauge"});
   command.set_notes(
@@ -243,6 +242,7 @@ void add_offset(Program& program) {
       "  phrame offset spline.json --distance -1/2 --trim\n"
       "  phrame offset outline.json --distance -1/2 --trim --check theirs.csv --tol 1e-3\n"
       "  phrame offset outline.json --distance -1/8 --pocket -o pocket.dxf\n"
+      "  phrame offset outline.json --distance -1/8 --pocket -o pocket.nc --tol 0.01\n"
       "  phrame offset drawing.svg --distance 2 --near 1e-4 --trim -o around.svg\n"
       "  phrame offset curve.json --distance 1/2 --gauge ellipse.json\n"
       "  phrame offset curve.json --distance -0.1 -o off.json && phrame info off.json");

@@ -86,7 +86,7 @@ void run(const TransformOptions& options) {
   const std::vector<NamedPath> parts = answer(named, asked);
   for (const std::string& text : parts.front().notes)
     note(name_of_file(options.curve.path) + ": " + text);
-  write_output(options.curve.output, write_paths(parts));
+  write_curves(options.curve.output, write_paths(parts));
 }
 
 }  // namespace

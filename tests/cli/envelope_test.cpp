@@ -49,6 +49,14 @@ TEST_CASE("envelope: the boundary of a rectangle is its sides, from corner to co
   CHECK(area == 8);
   check_success(here.run("envelope axis.json --trim -o box.svg"));
   CHECK(contains(bytes_of(here.file("box.svg")), "<path id=\"envelope-1\""));
+  check_success(here.run("envelope axis.json --trim -o box.nc --tol 1/10"));
+  std::string sides = bytes_of(here.file("box.nc"));
+  sides.erase(0, sides.find("N1 "));
+  // Corners, and the feet of the branch points (1, 1) and (3, 1) of the axis.
+  CHECK(sides ==
+        "N1 G90\nN2 G0 X0.00 Y0.00\nN3 G1 X1.00 Y0.00\nN4 G1 X3.00 Y0.00\nN5 G1 X4.00 Y0.00\n"
+        "N6 G1 X4.00 Y1.00\nN7 G1 X4.00 Y2.00\nN8 G1 X3.00 Y2.00\nN9 G1 X1.00 Y2.00\n"
+        "N10 G1 X0.00 Y2.00\nN11 G1 X0.00 Y1.00\nN12 G1 X0.00 Y0.00\nN13 M30\n%\n");
   check_success(here.run("envelope axis.json --trim -o box.html"));
   const std::string page = bytes_of(here.file("box.html"));
   CHECK(contains(page, "<title>rectangle</title>"));

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "phrame/io/read/any_path.hpp"
 #include "phrame/io/write/curve_file.hpp"
@@ -199,11 +203,13 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
   here.write("corner.json", corner);
   check_failure(here.run("offset corner.json --distance -1 --pocket"), 3,
                 "phrame: pocket: the path is open\n");
-  // 6/12 of the triangle of sides 3, 4 and 5 over the distance.
   here.write("triangle.svg", "<svg><path d='M0,0 L4,0 L4,3 Z'/></svg>");
   check_failure(here.run("offset triangle.svg --distance -1e-20 --pocket -o off.dxf"), 2,
-                "phrame: pocket: the distance -1/100000000000000000000 takes about 5.00e19 "
-                "passes, of 10000 at most\n");
+                "phrame: pocket: something is left at 10000 multiples of the distance "
+                "-1/100000000000000000000\n");
+  check_failure(here.run("offset rooms.json --distance -1e-9 --pocket"), 2,
+                "phrame: pocket: something is left at 10000 multiples of the distance "
+                "-1/1000000000\n");
   check_failure(here.run("offset rooms.json --distance -1,-2 --pocket"), 2,
                 "phrame: --pocket: one distance is wanted, of which the others are multiples\n");
 }
@@ -234,6 +240,70 @@ TEST_CASE("offset: as SVG, cubics that are read again, within 10^-6 of it") {
   check_success(here.run("offset triangle.json --distance -1/2,-1/3 --trim -o in.svg"));
   CHECK(contains(bytes_of(here.file("in.svg")), "<title>a&lt;b</title>"));
   CHECK(contains(here.run("info in.svg --pick offset-2").out, "closed"));
+}
+
+TEST_CASE("offset: as G-code, lines within --tol, and G0 from part to part") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  const auto lines = [&](const std::string& file) {
+    std::vector<std::string> list;
+    std::istringstream text(bytes_of(here.file(file)));
+    for (std::string line; std::getline(text, line);) list.push_back(line);
+    return list;
+  };
+  // Its points and middles of lines, without the reader: r = (t - t^3/3, t^2), n = (2t, t^2 - 1)/s.
+  for (const double tolerance : {1e-3, 1e-5}) {
+    CAPTURE(tolerance);
+    check_success(
+        here.run(fmt::format("offset turn.json --distance 1/2 -o off.nc --tol {}", tolerance)));
+    std::vector<std::array<double, 2>> points;
+    for (const std::string& line : lines("off.nc"))
+      if (const std::size_t at = line.find(" X"); at != std::string::npos)
+        points.push_back(
+            {std::stod(line.substr(at + 2)), std::stod(line.substr(line.find('Y') + 1))});
+    double most = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      const double x = (points[k][0] + points[k + 1][0]) / 2;
+      const double y = (points[k][1] + points[k + 1][1]) / 2;
+      double t = x;
+      for (int steps = 0; steps < 50; ++steps)
+        t += ((x - t + t * t * t / 3) * (1 - t * t) + (y - t * t) * 2 * t) /
+             ((1 + t * t) * (1 + t * t) * 1.5);
+      most = std::max(most, std::abs(std::hypot(x - t + t * t * t / 3, y - t * t) - 0.5));
+    }
+    CHECK(most < tolerance);
+    CHECK(most > tolerance / 2);  // no more lines than are of use
+    CHECK(std::hypot(points.front()[0], points.front()[1] + 0.5) < tolerance / 4);
+    CHECK(std::hypot(points.back()[0] - 7.0 / 6, points.back()[1] - 1) < tolerance / 4);
+    check_success(here.run(
+        fmt::format("offset turn.json --distance 1/2 --check off.nc --tol {}", tolerance)));
+  }
+  // Triangles in a triangle of sides 3, 4, 5, whose inner circle has the radius 1.
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  check_success(here.run("offset triangle.json --distance -1/2 --pocket -o in.ngc --tol 0.1"));
+  const std::vector<std::string> pocket{
+      "N1 G90", "N2 G0 X1.50 Y0.50", "N3 G1 X3.50 Y0.50", "N4 G1 X3.50 Y2.00", "N5 G1 X1.50 Y0.50",
+      "N6 M30"};
+  std::vector<std::string> blocks;
+  for (const std::string& line : lines("in.ngc"))
+    if (line.starts_with("N")) blocks.push_back(line);
+  CHECK(blocks == pocket);
+  CHECK(contains(bytes_of(here.file("in.ngc")), "(phrame: lines within 1.0e-1 of the offset)"));
+  // Two paths, as it turns back at a joint, of which the second begins where the first ends.
+  here.write("arc.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2]},
+      {"control_points": [[0, 1, 0], [-3, 1, 0]]}]})");
+  check_success(here.run("offset arc.json --distance -2 -o turns.tap"));
+  const std::string turns = bytes_of(here.file("turns.tap"));
+  CHECK(turns.find(" G0 X") == turns.rfind(" G0 X"));
+  CHECK(contains(turns, " G1 X-3.0000 Y-1.0000\n"));
+  check_failure(here.run("offset arc.json --distance -2 -o far.nc --tol 1e-12"), 2,
+                "phrame: --tol: 1.0e-12 is less than 1e-8 of the size of a path\n");
+  check_failure(here.run("offset arc.json --distance -2 -o far.svg --tol 1e-3"), 2,
+                "phrame: --tol: needs G-code, as of -o FILE.nc\n");
+  CHECK_FALSE(std::filesystem::exists(here.file("far.nc")));
 }
 
 namespace {
@@ -661,6 +731,36 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   check_failure(here.run("offset triangle.svg --distance 1/2 --near 1e-40 -o off.json"), 4,
                 "phrame: undecided: segment 2: no PH curves were found that are near enough\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset: of an arc, a point at one of two distances") {
+  const Workshop here;
+  here.write("arc.json",
+             R"({"phrame": "curve/1", "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]],
+      "weights": [1, 1, 2]})");
+  const Run run = here.run("offset arc.json --distance -1,1/2 -o off.json");
+  CHECK(run.status == 1);
+  CHECK(contains(
+      run.out,
+      "−1, to the left of travel\n  exact                 none: nothing but points is left\n\n"));
+  CHECK(contains(run.out, "length                3π/4 ≈ 2.3561944901923449"));
+  CHECK(contains(here.run("info off.json").out, "rational PH curve of degree 2"));
+  const Json json = Json::parse(here.run("offset arc.json --distance -1,1/2 --print json").out);
+  CHECK(json["offsets"][0]["paths"].empty());
+  CHECK(json["offsets"][1]["paths"].size() == 1);
+  check_failure(here.run("offset arc.json --distance -1"), 3,
+                "phrame: offset: at the distance -1 nothing but points is left\n");
+}
+
+TEST_CASE("offset: numbers that would be too long to be read again are not written") {
+  const Workshop here;
+  here.write("turn.json", turn);
+  check_success(here.run("offset turn.json --distance 1e-2000 -o off.json"));
+  check_success(here.run("info off.json"));
+  const std::string reason = " bits, of which phrame reads no more than 20000\n";
+  check_failure(here.run("offset turn.json --distance 1e-5900 -o far.json"), 2, reason);
+  check_failure(here.run("offset turn.json --distance 1e-5900 --print curve"), 2, reason);
+  CHECK_FALSE(std::filesystem::exists(here.file("far.json")));
 }
 
 TEST_CASE("offset: what cannot be is refused in one line, and nothing is written") {

@@ -66,7 +66,8 @@ void append_given(GivenSegments& segments, const JsonNode& node, const CurveLimi
 }
 
 GivenSegments read_spline_segments(const JsonNode& spline, const CurveLimits& limits) {
-  spline.require_known_keys({"phrame", "name", "segments", "frame", "note", "family", "expected"});
+  spline.require_known_keys(
+      {"phrame", "name", "segments", "frame", "note", "family", "expected", "id", "notes"});
   const JsonNode list = spline.at("segments");
   list.require(JsonNode::Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");

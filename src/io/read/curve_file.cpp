@@ -73,7 +73,8 @@ void append_segment(PhPath& path, const Node& node, const CurveLimits& limits) {
 }
 
 std::vector<Node> read_segments(const Node& spline) {
-  spline.require_known_keys({"phrame", "name", "segments", "frame", "note", "family", "expected"});
+  spline.require_known_keys(
+      {"phrame", "name", "segments", "frame", "note", "family", "expected", "id", "notes"});
   const Node list = spline.at("segments");
   list.require(Kind::array, "an array of curves");
   if (list.size() == 0) list.fail("a spline has at least one segment");

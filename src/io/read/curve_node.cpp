@@ -134,7 +134,8 @@ void require_curve_keys(const Node& node) {
   node.require_known_keys({"phrame",      "name",        "basis",    "start",          "preimage",
                            "quaternions", "hopf",        "complex",  "control_points", "weights",
                            "position",    "expressions", "variable", "from",           "to",
-                           "multiplier",  "tangents",    "note",     "family",         "expected"});
+                           "multiplier",  "tangents",    "note",     "family",         "expected",
+                           "id",          "notes"});
 }
 
 void require_curve(const Node& node) {

@@ -13,7 +13,7 @@ std::string at(const std::string& t, Notation notation) { return formula("t = " 
 Value paths_value(const std::vector<Path>& paths) {
   const auto rows = [&](Notation) {
     std::vector<std::string> list;
-    for (const Path& path : paths) list.push_back(heading(NamedPath("", path)));
+    for (const Path& path : paths) list.push_back(heading(NamedPath("", path), false));
     return list;
   };
   const auto json = [](const Path& path) { return json_of(NamedPath("", path)); };

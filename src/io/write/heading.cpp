@@ -46,16 +46,18 @@ std::string kind_of(const Segment& segment) {
                      curve->weight().is_constant() ? "polynomial" : "rational", degree(*curve));
 }
 
-std::string heading(const NamedPath& named) {
+std::string heading(const NamedPath& named, bool finds_ph) {
   const auto& segments = named.path.segments();
   const bool is_ph = named.path.is_ph();
   if (is_ph && segments.size() == 1) return heading(named.name, *ph_curve(segments.front()));
-  const std::string kind = is_ph ? "PH spline of " + counted(segments.size(), "segment")
-                           : segments.size() > 1
-                               ? fmt::format("path of {}", counted(segments.size(), "curve"))
-                           : std::holds_alternative<ExpressionCurve>(segments.front())
-                               ? kind_of(segments.front()) + ", along which t runs from 0 to 1"
-                               : kind_of(segments.front());
+  const std::string kind =
+      is_ph                 ? "PH spline of " + counted(segments.size(), "segment")
+      : segments.size() > 1 ? fmt::format("path of {}", counted(segments.size(), "curve"))
+      : finds_ph && named.path.with_preimages()
+          ? fmt::format("rational PH curve of degree {}", degree(*rational_curve(segments.front())))
+      : std::holds_alternative<ExpressionCurve>(segments.front())
+          ? kind_of(segments.front()) + ", along which t runs from 0 to 1"
+          : kind_of(segments.front());
   return fmt::format("{}{}, {}{}", name_prefix(named.name), kind, closure_text(named.path),
                      corners_text(named.path));
 }

@@ -141,6 +141,10 @@ Fields fields(const Part& part) {
                 {"length", "length", measure_value(part.length)}};
   if (is_euclidean) fields.push_back({"stretches", "  stretch", stretches_value(part)});
   if (part.area) fields.push_back({"area", "signed area", measure_value(*part.area)});
+  if (!part.paths.empty()) return fields;
+  const auto none = [](Notation) { return std::string("none: nothing but points is left"); };
+  for (std::size_t k = 1; k < fields.size(); ++k) fields[k] = in_json(std::move(fields[k]));
+  fields.push_back({"", "exact", {Value::Words(none), nullptr}});
   return fields;
 }
 

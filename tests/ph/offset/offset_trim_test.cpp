@@ -11,6 +11,7 @@
 #include "phrame/ph/curve/vector.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
+#include "support/trim_proof.hpp"
 
 namespace offset_trim_test {
 namespace {
@@ -45,8 +46,17 @@ class Foreign {
     }
   }
 
-  double distance(Point from) const {
-    double least = 1e300;
+  /// The nearest point.
+  struct Foot {
+    double distance = 1e300;
+    std::size_t segment = 0;
+    double t = 0;
+  };
+
+  double distance(Point from) const { return foot(from).distance; }
+
+  Foot foot(Point from) const {
+    Foot least;
     for (std::size_t j = 0; j < curves_.size(); ++j) {
       const auto size = [&](double t) { return std::abs(at(curves_[j], t) - from); };
       for (long k = 0; k <= count; ++k) {
@@ -60,10 +70,20 @@ class Foreign {
           const double q = a + (b - a) * 0.6;
           (size(p) < size(q) ? b : a) = size(p) < size(q) ? q : p;
         }
-        least = std::min({least, here, size((a + b) / 2)});
+        for (const double t : {double(k) / count, (a + b) / 2})
+          if (size(t) < least.distance) least = {size(t), j, t};
       }
     }
     return least;
+  }
+
+  Point point(std::size_t segment, double t) const { return at(curves_[segment], t); }
+  /// Of length 1.
+  Point right_normal(std::size_t segment, double t) const {
+    const double a = std::max(0.0, t - 1e-5);
+    const double b = std::min(1.0, t + 1e-5);
+    const Point way = point(segment, b) - point(segment, a);
+    return Point(0, -1) * way / std::abs(way);
   }
 
  private:
@@ -208,10 +228,71 @@ void check_trimmed(const PhPath& path, const TrimmedOffset& found) {
     }
 }
 
+double distance_from_chord(Point from, Point a, Point b) {
+  const double t = ((from - a) * std::conj(b - a)).real() / std::norm(b - a);
+  return std::abs(from - a - std::clamp(t, 0.0, 1.0) * (b - a));
+}
+
+/// Nothing is missing: where a line crosses the places at the distance |d| on that side of the
+/// path, there is a branch. How many places were looked at.
+long check_nothing_missing(Random& random, const PhPath& path, const TrimmedOffset& found) {
+  const Foreign foreign(path);
+  const auto signed_d = static_cast<double>(found.offset.distance);
+  const double d = std::abs(signed_d);
+  const std::size_t count = path.segments().size();
+  std::vector<std::vector<Point>> lines;
+  for (const TrimmedBranch& branch : found.branches)
+    for (const auto& [piece, from, to] : branch.parts)
+      lines.push_back(polygon(found.offset.pieces[piece].curve, from, to));
+  const auto away = [&] {
+    return std::polar(d * double(random.integer(1, 300)) / 100,
+                      double(random.integer(0, 628)) / 100);
+  };
+  long places = 0;
+  for (int k = 0; k < 24; ++k) {
+    const auto segment = static_cast<std::size_t>(random.integer(0, static_cast<long>(count) - 1));
+    Point a = foreign.point(segment, double(random.integer(0, 1000)) / 1000) + away();
+    Point b = a + away();
+    if (foreign.distance(a) > d) std::swap(a, b);
+    if (foreign.distance(a) > d || foreign.distance(b) < d) continue;
+    for (int step = 0; step < 45; ++step)
+      (foreign.distance((a + b) / 2.0) < d ? a : b) = (a + b) / 2.0;
+    const Foreign::Foot foot = foreign.foot(a);
+    Point normal = foreign.right_normal(foot.segment, foot.t);
+    const bool is_start = foot.t < 1e-5;
+    if (is_start || foot.t > 1 - 1e-5) {
+      const std::size_t last = count - 1;
+      if (!path.closing_turn() && foot.segment == (is_start ? 0 : last)) continue;  // a cap
+      normal +=
+          foreign.right_normal((foot.segment + (is_start ? last : 1)) % count, is_start ? 1 : 0);
+    }
+    const double side = ((a - foreign.point(foot.segment, foot.t)) * std::conj(normal)).real();
+    if (side * signed_d < 0) continue;
+    ++places;
+    const bool is_there = std::ranges::any_of(lines, [&](const std::vector<Point>& line) {
+      for (std::size_t j = 1; j < line.size(); ++j)
+        if (distance_from_chord(a, line[j - 1], line[j]) <
+            0.01 * std::abs(line[j] - line[j - 1]) + 1e-7 * (1 + d))
+          return true;
+      return false;
+    });
+    CAPTURE(a.real());
+    CAPTURE(a.imag());
+    CAPTURE(foot.segment);
+    CAPTURE(foot.t);
+    CHECK(is_there);
+  }
+  return places;
+}
+
 }  // namespace
 
 TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing else is") {
   long branches = 0;
+  long parts = 0;
+  long pairs = 0;
+  long open = 0;
+  long places = 0;
   long samples = 0;
   long undecided = 0;
   for_samples(2, [&](Random& random) {
@@ -223,6 +304,13 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
     CAPTURE(d);
     CAPTURE(path.segments().size());
     check_trimmed(path, found);
+    places += check_nothing_missing(random, path, found);
+    const test::TrimProof proof = test::prove_distance(path, found);
+    for (const std::string& what : proof.wrong) FAIL_CHECK(what);
+    parts += proof.parts;
+    pairs += proof.pairs;
+    for (const std::string& what : proof.open) MESSAGE("not proved: ", what);
+    open += static_cast<long>(proof.open.size());
     branches += static_cast<long>(found.branches.size());
     ++samples;
     if (!found.undecided.empty()) ++undecided;
@@ -230,6 +318,29 @@ TEST_CASE("offset_trim: law: what is left is at the distance |d|, and nothing el
   CHECK(branches >= 4);
   // Next to near-cusps a place may stay undecided, which is said.
   CHECK(10 * undecided <= samples);
+  CHECK(open == 0);
+  if (test::multiplier() > 1)
+    MESSAGE(samples, " paths, ", branches, " branches, ", parts, " parts, ", pairs, " pairs, ",
+            open, " not proved, ", places, " places on lines, ", undecided,
+            " paths with undecided places");
+}
+
+TEST_CASE("offset_trim: the proof of distances sees what is not cut, and a cut that is late") {
+  const PhPath path(
+      Curve({from_bernstein({-4, 6, -6}), {}, {}, from_bernstein({1, Rational(15, 14), -6})}));
+  TrimmedOffset found = trimmed_offset(path, Rational(33, 25));
+  REQUIRE(found.branches.size() == 1);
+  CHECK(test::prove_distance(path, found).wrong.empty());
+  CHECK(test::prove_distance(path, found).open.empty());
+  OffsetPart& part = found.branches.front().parts.front();
+  const Real start = part.from;
+  part.from = start + Real(Rational(-1, 10'000));
+  CHECK(test::prove_distance(path, found).wrong.size() == 1);
+  part.from = Rational(0);
+  CHECK(test::prove_distance(path, found).wrong.size() == 1);
+  part.from = start;
+  found.offset.distance = Rational(133, 100);
+  CHECK(test::prove_distance(path, found).wrong.size() >= 2);
 }
 
 TEST_CASE("offset_trim: a triangle of sides 3, 4, 5: lengths, areas, and nothing at its incircle") {
