@@ -1741,7 +1741,7 @@ class ClosedProof(Statements):
             for bits in (min(ask, 4096), ask + 256):
                 bits += int(size).bit_length()
                 n = sum(k * self.arctan(slope, bits) for slope, k in factors.items())
-                value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * size / (1 << bits)
+                value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * Fraction(size) / (1 << bits)
                 require(value - off <= 0, "it is another one")
                 if value + off <= 0:
                     break
