@@ -1105,9 +1105,8 @@ def quotient(a, b):
 
 
 def plus_root(p, q, square, P):
-    """p + q sqrt(square); exactly 0 where it is."""
-    is_zero = p * q <= 0 and p * p == q * q * square
-    return (0, 0) if is_zero else plus((p, 0), times((q, 0), known_root(square, P)))
+    """p + q sqrt(square); exact where it is 0, as the root is rational then, or p = q = 0."""
+    return plus((p, 0), times((q, 0), known_root(square, P)))
 
 
 def unit_vector(v, P):

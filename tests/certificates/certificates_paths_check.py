@@ -247,6 +247,11 @@ def check_corner(folder):
     f2 = [math.cos(theta) * x + math.sin(theta) * y for x, y in zip(rotated(A, (0, 1, 0)), rotated(A, (0, 0, 1)))]
     if max(abs(x - y) for x, y in zip(f2, carried)) > 1e-5:
         sys.exit("behind a corner the frame is off: %s, %s" % (f2, carried))
+    side, negative = copy.deepcopy(honest), lambda a: [("-" + x).removeprefix("--") for x in a]
+    part = side["segments"][1]
+    part["curve"]["multiplier"], part["hodograph"] = negative(part["curve"]["multiplier"]), [*map(negative, part["hodograph"])]
+    lie.write_text(json.dumps(side))
+    expect(1, "f negative behind a corner", lie, line="joint 1: the tangent changes its side")
     lie.write_text(json.dumps(half_turned(honest)))
     expect(1, "turned behind a corner", lie, line="joint 1: the Euler-Rodrigues frame does not go on")
 
