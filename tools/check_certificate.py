@@ -276,6 +276,11 @@ def sign_on_piece(a, m, h):
     return 1 if min(c) >= 0 else -1 if max(c) <= 0 else 0
 
 
+def sign_before_one(a):
+    """The sign of a(t) for t < 1 next to 1."""
+    return next(x if k % 2 == 0 else -x for k, x in enumerate(translated(a.c, 1)) if x)
+
+
 def rank(polys):
     """The dimension of the span: one of the highest degree n, and all others without their t^n."""
     polys = sorted(filter(None, polys), key=lambda a: len(a.c))
@@ -369,6 +374,36 @@ class Fixed:
             return 2 * self.arctan_table[8] - self.arctan(b, a)
         j = 8 * a // b
         return self.arctan_table[j] + self.series(8 * a - j * b, 8 * b + j * a, -1)
+
+
+def turn_at_corner(v, a, b):
+    """How far v x b is behind what the least rotation that takes the direction of a to that of b makes of v x a: bounds, as
+    a function of the bits. The axis a x b is at rest. From it to v x b, about b, is the argument of p + |b| d i, and to v x
+    a, about a, that of q + |a| d i, with d = det(v, a, b): both are above the real axis, or both below it."""
+    d, va, vb = dot(v, cross(a, b)), dot(v, a), dot(v, b)
+    p, q = va * dot(b, b) - vb * dot(a, b), va * dot(a, b) - vb * dot(a, a)
+
+    def turn(bits):
+        fixed = Fixed(bits)
+        if d:
+            slopes = [(over_root(x / d, dot(c, c), bits), sign) for x, c, sign in ((q, a, 1), (p, b, -1))]
+        else:
+            is_opposite = dot(cross(v, a), cross(v, b)) < 0
+            slopes = [((1, 1), 4)] if is_opposite else []
+        low, high = 0, 0
+        for (least, most), sign in slopes:
+            ends = sorted(sign * fixed.arctan(x.numerator, x.denominator) for x in (least, most))
+            off = 25 * bits * abs(sign) if least or most else 0
+            low, high = low + ends[0] - off, high + ends[1] + off
+        return Fraction(low, 1 << bits), Fraction(high, 1 << bits)
+    return turn
+
+
+def over_root(x, square, bits):
+    """Bounds of x/sqrt(square), relative to it within 2^-bits: [sqrt n] <= sqrt n < [sqrt n] + 1."""
+    unit = 1 << bits + square.denominator.bit_length()
+    below = isqrt(square.numerator * unit * unit // square.denominator)
+    return sorted((x * unit / below, x * unit / (below + 1)))
 
 
 def cos_sin(x, P):
@@ -749,6 +784,8 @@ def work_of_integral(P):
     for claim in P.claims:
         total += (bits_of(claim.t) * (1 + longest)) ** 2 // 500 + bits_of(claim.value, claim.radius) ** 2 // 1000
         total += 1000 * (1 + len(P.segments))
+        if P.frame == "up" and len(P.segments) > 1:  # there may be turns at the joints
+            total += (2 * len(P.segments) + 8) * bits_of(claim.radius) ** 2
     return total
 
 
@@ -871,7 +908,11 @@ def read_curves(name, limits):
     """[(r', r(0), A or None)], r' in lowest terms, of a curve/1, but for formulas, or of a spline/1 of these; numbers
     as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
-    is_spline = isinstance(value, dict) and isinstance(value.get("segments"), list) and value["segments"]
+    kind = one_of("curve/1", "spline/1")(value.get("phrame") if isinstance(value, dict) else None, "/phrame")
+    is_spline = kind == "spline/1"
+    if is_spline:
+        require_keys(value, "", "phrame", "segments", "frame")
+        expect(bool, "a segment is wanted", [lambda value, place: value])(value.get("segments"), "/segments")
     for k, part in enumerate(value["segments"] if is_spline else [value]):
         hodograph, over, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
         if is_spline:
@@ -882,6 +923,14 @@ def read_curves(name, limits):
 
 
 FORMS = ("preimage", "quaternions", "hopf", "complex", "control_points", "position", "tangents")
+
+
+def require_keys(value, place, *known):
+    """The keys of the object are these, or remarks."""
+    known += ("name", "note", "family", "expected")
+    for key in value.written:
+        if key not in known or value.written.count(key) > 1:
+            fail(place, "the key %s is unknown or there twice" % json.dumps(key), value)
 
 
 def read_curve(value, at, limits, end):
@@ -926,7 +975,11 @@ def read_curve(value, at, limits, end):
     form = [key for key in FORMS if isinstance(value, dict) and key in value]
     if len(form) != 1:
         fail(at, "a curve/1 with one of %s is wanted (phrame identify --print curve)" % ", ".join(FORMS), value)
+    of_preimage = ("start", "multiplier") if form[0] in FORMS[:4] else ()
+    require_keys(value, at, "phrame", "basis", form[0], *("weights",) * (form[0] == "control_points"), *of_preimage)
+    one_of("curve/1")(value.get("phrame", "curve/1"), at + "/phrame")
     if "control_points" in value:
+        one_of("bernstein")(value.get("basis", "bernstein"), at + "/basis")
         points = read([(number,) * 3], value["control_points"], at + "/control_points")
         if not 1 < len(points) <= limits.max_degree + 1:
             fail(at + "/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), len(points))
@@ -936,8 +989,8 @@ def read_curve(value, at, limits, end):
     basis = one_of("power", "bernstein")(value.get("basis"), at + "/basis")
     if "position" in value:
         place, given = at + "/position", value["position"]
-        if not isinstance(given, dict):
-            fail(place, "an object is wanted", given)
+        if not isinstance(given, dict) or not set(given) <= {*AXES, "w"}:
+            fail(place, "an object with x, y, z and w is wanted", given)
         lists = {"z": [0], "w": [1], **given}
         *X, W = [polynomial(lists.get(key), "%s/%s" % (place, key)) for key in (*AXES, "w")]
         return quotient(X, W, place)
@@ -1027,6 +1080,39 @@ def change_of_argument(re, im, t, sturm):
     return signs_found, index, [(1, y(t) / x(t)), (-1, y(0) / x(0)), (-4 * index, 1)]
 
 
+# Numbers that are known within an error: (x, e). What is exact has the error 0.
+
+def plus(a, b):
+    return a[0] + b[0], a[1] + b[1]
+
+
+def times(a, b):
+    return a[0] * b[0], abs(a[0]) * b[1] + abs(b[0]) * a[1] + a[1] * b[1]
+
+
+def known_root(square, P):
+    """The square root."""
+    unit = 1 << P + square.denominator.bit_length()
+    n = square.numerator * unit * unit // square.denominator
+    m = isqrt(n)
+    is_exact = Fraction(m * m, unit * unit) == square
+    return (Fraction(m, unit), 0) if is_exact else (Fraction(2 * m + 1, 2 * unit), Fraction(1, 2 * unit))
+
+
+def quotient(a, b):
+    """a/b, b > 0: that of x differs by (e + |x/y| f)/(y - f)."""
+    return a[0] / b[0], (a[1] + abs(a[0] / b[0]) * b[1]) / (b[0] - b[1])
+
+
+def plus_root(p, q, square, P):
+    """p + q sqrt(square); exact where it is 0, as the root is rational then, or p = q = 0."""
+    return plus((p, 0), times((q, 0), known_root(square, P)))
+
+
+def unit_vector(v, P):
+    return [quotient((x, 0), known_root(dot(v, v), P)) for x in v]
+
+
 class Statements:
     """What is stated, and whether it is proved."""
 
@@ -1066,8 +1152,12 @@ class Statements:
             values = [(x, 0) for x in (claim.t, *r, *e1)]
             values += [(C * x + S * y, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
             values += [(C * y - S * x, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
-            for name, entry, (x, error) in zip(TABLE, row, values):
-                require_double(entry, x - error, x + error, "row %d, %s" % (k, name))
+            require_doubles(row, values, k)
+
+
+def require_doubles(row, values, k):
+    for name, entry, (x, error) in zip(TABLE, row, values):
+        require_double(entry, x - error, x + error, "row %d, %s" % (k, name))
 
 
 def cos_sin_of(claim):
@@ -1409,7 +1499,7 @@ class PathProof(Statements):
 
     def __init__(self, P):
         super().__init__(P.claims)
-        self.C = P
+        self.C, self.is_smooth = P, True
         self.parts = [Proof(C, "segment %d: " % k) for k, C in enumerate(P.segments)]
         self.f, self.first_normal = self.parts[0].f, self.parts[0].first_normal
 
@@ -1437,13 +1527,18 @@ class PathProof(Statements):
         return self.lines
 
     def joint(self, before, after):
-        """r goes on, and the preimages without their zeros are there the same but for a real factor."""
+        """r goes on, and the rotation from the one frame to the other, A1 conj(A0) of the preimages without their zeros, has
+        an axis normal to e1, so that it is the least one: conj(A0) A1 = c + yj + zk, c != 0."""
         require(before.W(1), "the weight of the segment before is 0 at its end")
         end, _ = before.place(Fraction(1))
         require(end == list(after.start), "the segment does not begin where the one before ends")
-        x, y = ([a.over(part.K0)(t) for a in part.C.A] for part, t in ((before, 1), (after, 0)))
-        is_along = all(a * d == b * c for (a, c), (b, d) in combinations(zip(x, y), 2))
-        require(is_along, "the Euler-Rodrigues frame does not go on")
+        (a, b, c, d), (u, v, p, q) = ([x.over(part.K0)(t) for x in part.C.A] for part, t in ((before, 1), (after, 0)))
+        is_carried = a * v - b * u - c * q + d * p == 0 and a * u + b * v + c * p + d * q != 0
+        require(is_carried, "the Euler-Rodrigues frame does not go on")
+        if a * p + b * q != c * u + d * v or a * q + c * v != b * p + d * u:
+            self.is_smooth = False
+            sides = sign_before_one(before.f) * next(x for x in after.f.c if x)
+            require(sides > 0, "the tangent changes its side at the corner")
 
     def is_joined(self, k):
         return all("joint %d" % j in self.proved for j in range(1, k + 1))
@@ -1645,7 +1740,7 @@ class ClosedProof(Statements):
             for bits in (min(ask, 4096), ask + 256):
                 bits += int(size).bit_length()
                 n = sum(k * self.arctan(slope, bits) for slope, k in factors.items())
-                value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * size / (1 << bits)
+                value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * Fraction(size) / (1 << bits)
                 require(value - off <= 0, "it is another one")
                 if value + off <= 0:
                     break
@@ -1692,6 +1787,7 @@ class ClosedProof(Statements):
 
     def crossings(self, writhe):
         """All crossings are listed: each two parts are apart, or in a box, or go on for less than a right angle."""
+        require(self.path.is_smooth, "the path has corners")
         v, boxes = writhe.projection, {}
         for crossing in writhe.crossings:
             self.crossing(crossing, v)
@@ -1736,6 +1832,7 @@ class IntegralProof(Statements):
     def __init__(self, P):
         super().__init__(P.claims)
         self.C, self.parts, self.frame = P, P.segments, P.frame
+        self.up = getattr(P, "up", None)
 
     def curves(self):
         return [(*in_lowest_terms(C.velocity, C.W * C.W), [x(0) / C.W(0) for x in C.X]) for C in self.parts]
@@ -1765,17 +1862,22 @@ class IntegralProof(Statements):
         require(not W.zeros(Fraction(0), Fraction(1)), "w has a zero on [0, 1]")
 
     def joint(self, before, after):
-        """r goes on, and with an angle the frame, too; then e1 is H/|H| with the sign that goes on."""
+        """r goes on, and with an angle the frame, too; then e1 is H/|H| with the sign that goes on, at a corner with that
+        which e1 has to r'. The frame of v turns there, and is nowhere undefined."""
         require(before.W(1), "the weight of the segment before is 0 at its end")
         end = [x(1) / before.W(1) for x in before.X]
         require(end == [x(0) / after.W(0) for x in after.X], "the segment does not begin where the one before ends")
         if self.frame == "none":
             return
         x, y = [a(1) for a in before.H], [a(0) for a in after.H]
-        require(not any(cross(x, y)), "the tangent does not go on")
-        if dot(x, y) < 0:
-            after.f, after.H = after.f * -1, [a * -1 for a in after.H]
-        if self.frame == "frenet":
+        is_corner = any(cross(x, y))
+        if (sign_before_one(before.f) if is_corner else dot(x, y)) < 0:
+            after.f, after.H, y = after.f * -1, [a * -1 for a in after.H], [-a for a in y]
+        if self.frame == "up":
+            require(any(cross(self.up, x)) and any(cross(self.up, y)), "v is along the tangent")
+            if is_corner:
+                after.turn = turn_at_corner(self.up, x, y)
+        else:
             x, y = ([a(t) for a in self.binormal(C)[1]] for C, t in ((before, 1), (after, 0)))
             require(not any(cross(x, y)), "the Frenet frame does not go on")
 
@@ -1796,7 +1898,7 @@ class IntegralProof(Statements):
         if self.frame == "none":
             N, D = C.f * c * S, C.W * C.W
         elif self.frame == "up":
-            v = [Poly([x.numerator], x.denominator) for x in map(Fraction, self.C.up)]
+            v = [Poly([x.numerator], x.denominator) for x in map(Fraction, self.up)]
             across = cross(v, H)
             N, D = dot(v, H) * dot(across, [a.derivative() for a in H]) * -1, dot(across, across) * c
         else:
@@ -1846,16 +1948,76 @@ class IntegralProof(Statements):
         return low, high
 
     def claim(self, claim):
-        """The integral from 0 to t is the sum of those along the segments."""
-        t = claim.t
+        """The integral from 0 to t is the sum of those along the segments, and of the turns of corners up to t."""
+        t, ask = claim.t, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()
         require(0 <= t <= len(self.parts), "t is not on the path")
         last = -(-t.numerator // t.denominator)  # so many segments, the last of them up to t
         low, high = (sum(x) for x in zip((0, 0), *(self.bounds(k, min(Fraction(1), t - k)) for k in range(last))))
+        for k in range(1, min(t.numerator // t.denominator, len(self.parts) - 1) + 1):
+            self.rest_on(["joint %d" % k])
+            low, high = (x + y for x, y in zip((low, high), self.turn(k, 128 + max(0, ask) * (claim.radius > 0))))
         is_known = -claim.radius <= low - claim.value and high - claim.value <= claim.radius
         require(is_known, "it does not follow from the pieces")
 
+    @cache
+    def turn(self, k, bits):
+        """Bounds of that at joint k."""
+        return self.parts[k].turn(bits) if hasattr(self.parts[k], "turn") else (0, 0)
+
+    def place(self, t):
+        """(r, H) there, at a joint of the later segment."""
+        k = min(len(self.parts) - 1, t.numerator // t.denominator)
+        C, s = self.parts[k], Fraction(t - k)
+        return [x(s) / C.W(s) for x in C.X], [a(s) for a in C.H]
+
+    def is_zero(self, t):
+        is_still = all(not C.rate[0] for k, C in enumerate(self.parts) if k < t)
+        return is_still and all(self.turn(k, 64) == (0, 0) for k in range(1, len(self.parts)) if k <= t)
+
+    def first_frame(self, H, P):
+        """f2 and f3 where the least rotation takes the x axis to e1 = (a, b, c): (-b, a + c^2/(1 + a), -bc/(1 + a)) and (-c,
+        -bc/(1 + a), a + b^2/(1 + a)), over the common denominator |H|(|H| + x) for H = (x, y, z)."""
+        (x, y, z), square = H, dot(H, H)
+        below = times(known_root(square, P), plus_root(x, 1, square, P))
+        rows = (((-y * x, -y), (square - y * y, x), (-y * z, 0)), ((-z * x, -z), (-y * z, 0), (square - z * z, x)))
+        return [[quotient(plus_root(p, q, square, P), below) for p, q in row] for row in rows]
+
+    def frame_of_v(self, H, P):
+        """e2 along v x H, and e3 along H x (v x H)."""
+        across = cross(self.up, H)
+        return unit_vector(across, P), unit_vector(cross(H, across), P)
+
     def table(self, rows):
-        raise NotProved("the angles are not those to the Euler-Rodrigues frame")
+        """As above, e2 and e3 being those of the frame of v. The first frame is cos phi e2 + sin phi e3, ...."""
+        require(self.frame == "up", "the angles are not those to the frame of a vector")
+        wanted = len(self.claims)
+        require(len(rows) == wanted, "it has %d rows, and there are %d angles" % (len(rows), wanted))
+        self.rest_on([name for C in self.parts for name in C.needed if name.startswith(("weight", "joint"))])
+        _, first = self.place(Fraction(0))
+        require(first[0] > 0 or any(first[1:]), "the tangent at the start is -x")
+        for k, (row, claim) in enumerate(zip(rows, self.claims), 1):
+            self.rest_on([claim.text])
+            require(0 <= claim.t <= len(self.parts), "a t is not on the path")
+            P = 128 + min(4096, max(0, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()))
+            (r, H), (f2, f3) = self.place(Fraction(claim.t)), self.first_frame(first, P)
+            is_still = claim.t == 0 or self.is_zero(claim.t)
+            if not (is_still and not any(cross(H, first)) and dot(H, first) > 0):
+                e2, e3 = self.frame_of_v(first, P)
+                a, b = (reduce(plus, map(times, f2, e)) for e in (e2, e3))
+                a, b = self.rounded_to_axis(first, a, b)
+                C, S = [(1, 0), (0, 0)] if is_still else [(x, off) for *xs, off in [cos_sin_of(claim)] for x in xs]
+                e2, e3 = self.frame_of_v(H, P)
+                C, S = plus(times(C, a), times((-1, 0), times(S, b))), plus(times(S, a), times(C, b))
+                f2, f3 = ([plus(times(x, y), times(z, w)) for y, w in zip(e2, e3)] for x, z in ((C, S), (times((-1, 0), S), C)))
+            require_doubles(row, [(x, 0) for x in (claim.t, *r)] + unit_vector(H, P) + f2 + f3, k)
+
+    def rounded_to_axis(self, H, a, b):
+        """cos phi and sin phi, exactly where one of them is 0. With S = v x H and T = H x S they are (p + q|H|) times positive
+        numbers for p = H_x S_y - H_y S_x and q = S_y, and likewise of T: (-H_y, |H| + H_x, 0) is along f2, but for what is along e1."""
+        across, square = cross(self.up, H), dot(H, H)
+        is_zero = [plus_root(H[0] * s[1] - H[1] * s[0], s[1], square, 64) == (0, 0) for s in (across, cross(H, across))]
+        sign = [(1 if x > 0 else -1, 0) for x, _ in (a, b)]
+        return ((0, 0), sign[1]) if is_zero[0] else (sign[0], (0, 0)) if is_zero[1] else (a, b)
 
 
 def proof_of(C):

@@ -115,7 +115,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
            "Angles, by default the one at the end, with what proves them, and of one PH curve what "
            "kinds it is of; or lengths from the start. The frame is \"erf\" (default of PH curves, "
            "which alone have it), \"up\" (default of others), that of the vector `up`, or "
-           "\"frenet\". Angles are of paths without corners; there are none of formulas. Of a "
+           "\"frenet\". There are none of formulas. Of a "
            "closed path of "
            "PH curves also the holonomy, and the writhe with all crossings that are seen along a "
            "vector.");

@@ -83,8 +83,8 @@ void add_certify(Program& program) {
   command.set_notes(
       "Without --at and --samples that at the end. phrame verify checks the certificate, and so\n"
       "does tools/check_certificate.py, which needs Python and nothing else. Of angles to the\n"
-      "Euler-Rodrigues frame that of a spline is made of those of its segments. Angles are of\n"
-      "paths without corners; of curves by formulas there is no certificate.\n"
+      "Euler-Rodrigues frame that of a spline is made of those of its segments. Of curves by\n"
+      "formulas there is no certificate.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -\n"

@@ -122,11 +122,6 @@ std::vector<std::vector<Rational>> read_table(const std::string& text) {
   return rows;
 }
 
-std::string objection_to_table(const IntegralCertificate&,
-                               const std::vector<std::vector<Rational>>&) {
-  return "the angles are not those to the Euler-Rodrigues frame";
-}
-
 /// Of a curve or a path.
 template <class Named>
 void check(const Named& named, const CertificateLimits& limits, const VerifyOptions& options) {

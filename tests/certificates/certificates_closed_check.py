@@ -130,6 +130,7 @@ def forgeries(honest):
         yield "a negative radius", 2, None, changed(lambda c, _, name=name: c[name].update(radius="-1"))
         yield "an exact number", 2, None, changed(lambda c, _, name=name: c[name].update(value="1/3"))
         yield "no angle at the end", 1, text, changed(lambda _, lie: lie["segments"][-1].update(claims=[]))
+    yield "beyond doubles", 1, "|holonomy - ", changed(lambda c, _: c["holonomy"].update(value="1e400"))
     yield "another turn", 1, "|holonomy - ", changed(lambda c, _: c["holonomy"].update(turns=c["holonomy"]["turns"] + 1))
     yield "a turn in quotes", 2, None, changed(lambda c, _: c["holonomy"].update(turns="0"))
     yield "open", 1, "closed: ", changed(lambda _, lie: (lie["segments"].pop(), lie.update(claims=[])))

@@ -46,6 +46,7 @@ INTEGRALS = [
     ({**CUBIC, "weights": [1, 2, 1, 3]}, ["--digits", "5"]), ({**CUBIC, "weights": [1, 2, 1, 3]}, ["--length", "--digits", "5"]),
     (CUSP, ["--length", "--digits", "8"]),
     ({"phrame": "spline/1", "segments": [CUBIC, {"control_points": [[2, -3, 1], [0, -7, -3], [1, 1, 1]]}]}, ["--at", "1/2,3/2,2", "--digits", "5"]),
+    ({"phrame": "spline/1", "segments": [CUBIC, {"control_points": [[2, -3, 1], [0, 7, 3], [1, 1, 1]]}]}, ["--digits", "5"]),  # a corner
     ({"phrame": "curve/1", "basis": "power", "preimage": QUINTIC}, ["--length", "--at", "1/2,1", "--digits", "5"])]
 TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
          "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "9" * 7000, "1/" + "7" * 200]
@@ -63,7 +64,7 @@ def honest():
                                  input=json.dumps(curve), capture_output=True, text=True, check=True)
             yield json.loads(run.stdout)
     for path, *options in (("examples/curves/closed-spline.json", "--at", "1/3,5/2,4"), ("tests/data/rational-path.json", "--at", "1/3,5/2,3"),
-                           ("examples/curves/closed-spline.json", "--holonomy", "--writhe"), ("tests/data/closed-eight.json", "--holonomy", "--writhe")):
+                           ("examples/any/cube-edges.json", "--at", "2,9/2"), ("examples/curves/closed-spline.json", "--holonomy", "--writhe"), ("tests/data/closed-eight.json", "--holonomy", "--writhe")):
         run = subprocess.run([PROGRAM, "certify", ROOT / path, *options, "--digits", "12"], capture_output=True, text=True, check=True)
         yield {**json.loads(run.stdout), "name": "p"}
     for curve, arguments in INTEGRALS:

@@ -83,6 +83,8 @@ QUINTIC = {"phrame": "curve/1", "basis": "power", "preimage": {"u": [2, -4, 4], 
 FIRST, SECOND = [[0, 0, 0], [1, 2, 0], [2, 1, 3]], [[2, 1, 3], [3, 0, 6], [4, 1, 6], [5, 3, 5]]  # the tangent goes on
 TURNED = with_cusps([-1, 2])  # at the end e1 is -r'/|r'|
 END = [sum(map(Fraction, TURNED["position"][key])) for key in "xyz"]
+CORNER = [[2, 1, 3], [0, 0, 0], [1, 7, 1]]
+IN_PLANE = power([1, 1], [1, 0, 1], [1, -3, 3, 1])  # behind (t, t^2, t^3), with the same binormal
 BEHIND = bezier([[str(a + k * b + c) for a, b, c in zip(END, (2, 4, 3), (k == 3, k * k - k, 5 * (k == 3)))] for k in range(4)])
 SUBJECTS = [  # name, curve, arguments
     ("quartic", QUARTIC, ["--at", "1/3,1", "--digits", "30"]),
@@ -104,8 +106,12 @@ SUBJECTS = [  # name, curve, arguments
     ("line", power([0, 1, 1], [0, 2, 2], [0, -2, -2]), ["--length"]),
     ("path", {"phrame": "spline/1", "segments": [bezier(FIRST), bezier(SECOND)]}, ["--at", "0,1/2,1,7/4,2"]),
     ("path behind a cusp", {"phrame": "spline/1", "segments": [TURNED, BEHIND]}, ["--at", "1,2"]),
-    ("path with a corner, length", {"phrame": "spline/1", "segments": [bezier(FIRST), bezier([[2, 1, 3], [0, 0, 0], [1, 7, 1]])]},
-     ["--length", "--at", "1,3/2,2"])]
+    ("path with corners", {"phrame": "spline/1", "segments": [bezier(FIRST), bezier(CORNER), bezier([[1, 7, 1], [3, 3, 3]])]},
+     ["--at", "1/2,1,3/2,2,3"]),
+    ("corner behind a cusp", {"phrame": "spline/1", "segments": [TURNED, bezier([[str(x + d) for x in END] for d in (0, 1)])]}, ["--at", "1,2"]),
+    ("corner, Frenet", {"phrame": "spline/1", "segments": [power([0, 1], [0, 0, 1], [0, 0, 0, 1]), IN_PLANE]}, ["--frame", "frenet", "--at", "1,2"]),
+    ("plane with a corner", {"phrame": "spline/1", "segments": [bezier([[0, 0, 0], [1, 3, 0], [2, 0, 0]]), bezier([[2, 0, 0], [0, 0, 0]])]}, []),
+    ("path with a corner, length", {"phrame": "spline/1", "segments": [bezier(FIRST), bezier(CORNER)]}, ["--length", "--at", "1,3/2,2"])]
 
 
 class Curves:
@@ -177,6 +183,18 @@ def rates(mp, frame, up):
     return rate
 
 
+def turn_at_corner(mp, a, b, v):
+    """About b, from v x b to what v x a becomes when it is turned about a x b by the angle between a and b (Rodrigues' formula)."""
+    dot = lambda x, y: sum(i * j for i, j in zip(x, y))
+    cross = lambda x, y: [x[i] * y[j] - x[j] * y[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+    unit = lambda x: [i / mp.sqrt(dot(x, x)) for i in x]
+    a, b = unit(a), unit(b)
+    k, x, n = unit(cross(a, b)), cross(v, a), unit(cross(v, b))
+    angle = mp.acos(dot(a, b))
+    carried = [i * mp.cos(angle) + j * mp.sin(angle) + l * dot(k, x) * (1 - mp.cos(angle)) for i, j, l in zip(x, cross(k, x), k)]
+    return mp.atan2(dot(cross(b, n), carried), dot(n, carried))
+
+
 def check_values(name, value, certificate, stops):
     """The last claim is that of Gauss's rules, to some 9 digits; the quartic's, and where there is time all, to 20."""
     try:
@@ -189,6 +207,9 @@ def check_values(name, value, certificate, stops):
     for claim in certificate["claims"][0 if is_fine else -1:]:
         t, total, sign = Fraction(claim["t"]), mp.mpf(0), 1
         for k in range(len(curves.parts)):
+            if 0 < k <= t and name in ("path with corners", "corner behind a cusp"):
+                before, after = curves.derivatives(k - 1, mp.mpf(1))[0], curves.derivatives(k, mp.mpf(0))[0]
+                total += turn_at_corner(mp, [sign * x for x in before], [sign * x for x in after], [curves.number(x) for x in certificate["up"]])
             end = min(max(t - k, Fraction(0)), Fraction(1))
             ends = [mp.mpf(0)] + [x for x in map(mp.mpf, stops) if x < curves.number(end)] + [curves.number(end)]
             for a, b in zip(ends, ends[1:]):
@@ -202,7 +223,7 @@ def check_values(name, value, certificate, stops):
             sys.exit("%s: at %s quadrature finds %s, stated is %s" % (name, t, total, stated))
 
 
-STOPS = {"cusp at 1/2": ["0.5"], "inflection": [], "irrational cusp": ["0.70710678118654752440084436210484903929"],
+STOPS = {"cusp at 1/2": ["0.5"], "corner behind a cusp": ["0.5"], "inflection": [], "irrational cusp": ["0.70710678118654752440084436210484903929"],
          "double cusp": ["0.70710678118654752440084436210484903929"], "cusp to v": ["0.70710678118654752440084436210484903929"],
          "PH with a cusp, length": ["0.57735026918962576450914878050195745565"],
          "near a cusp": ["0.00000000001", "0.0000000001", "0.000000001", "0.00000001", "0.000001", "0.0001", "0.01"]}
@@ -332,12 +353,24 @@ def forgeries_of_path(honest):
     moved = changed(honest, lambda c: segment(c, 1)["x"].__setitem__(0, "5/2"))
     yield "moved", 1, "joint 1", moved
     yield "the other way round", 1, "joint 1", changed(honest, lambda c: c["segments"].reverse())
-    yield "turned at the joint", 1, "joint 1", changed(honest, lambda c: segment(c, 1)["y"].__setitem__(1, "7"))
+    yield "turned at the joint", 1, "|theta(1) - ", changed(honest, lambda c: segment(c, 1)["y"].__setitem__(1, "7"))
     yield "one twice", 1, "joint 1", changed(honest, lambda c: c["segments"].insert(0, copy.deepcopy(segment(c, 0))))
     yield "a segment lost", 1, text, changed(honest, lambda c: c["segments"].pop())
     yield "the pieces of another", 1, text, changed(honest, lambda c: segment(c, 1).update(pieces=segment(c, 0)["pieces"]))
     yield "claims about the first alone", 0, None, changed(honest, lambda c: c.update(claims=c["claims"][:3]))
     yield "these, where the second is elsewhere", 1, "joint 1", changed(moved, lambda c: c.update(claims=c["claims"][:3]))
+
+
+def forgeries_of_corners(honest):
+    text = "|theta(3) - "
+    yield "before the corner, not behind it", 1, "|theta(1) - ", changed(honest, lambda c: c["claims"][1].update(
+        theta=repr(float(c["claims"][0]["theta"])), radius="0.1"))
+    yield "another v", 1, text, changed(honest, lambda c: c.update(up=["1", "2", "-5"]))
+    yield "v along a tangent", 1, "joint 2", changed(honest, lambda c: c.update(up=["1", "-2", "1"]))
+    yield "moved", 1, "joint 1", changed(honest, lambda c: c["segments"][1]["x"].__setitem__(0, "5/2"))
+    yield "another corner", 1, text, changed(honest, lambda c: c["segments"][2].update(x=["1", "3"]))
+    yield "a whole turn more", 1, text, changed(honest, lambda c: c["claims"][-1].update(
+        theta=str(float(c["claims"][-1]["theta"]) + 6.283185307179586), radius="1e-9"))
 
 
 def forgeries_of_length(honest):
@@ -376,6 +409,19 @@ def by_hand():
     angle = {"t": "1", "theta": "0", "radius": "0"}
     yield "v along the tangent on the way", 1, certificate(*plane, angle, frame="up", up=["1", "0", "0"])
     yield "v normal to the plane", 0, certificate(*plane, angle, frame="up", up=["0", "0", "1"])
+    # From (1, 0, 0) to (-1, 1, 0), past v = (0, 1, 0): v x e1 is carried to the opposite of what that is behind it.
+    def of_lines(v, radius, up):
+        corner = certificate(["0", "1"], [], ["1"], 0, [], {"t": "1", "theta": v, "radius": radius}, frame="up", up=up)
+        corner["segments"].append({**corner["segments"][0], "x": ["1", "-1"], "y": ["0", "1"], "pieces": []})
+        return corner
+    half_turn = "3.14159265358979323846", "4e-21"
+    yield "a corner past v", 0, of_lines(*half_turn, ["0", "1", "0"])
+    yield "a corner past v, exactly", 1, of_lines("3.1416", "0", ["0", "1", "0"])
+    yield "a corner past v, the other way", 1, of_lines("-" + half_turn[0], half_turn[1], ["0", "1", "0"])
+    yield "a corner in the plane of v, not past it", 0, of_lines("0", "0", ["-4", "1", "0"])
+    yield "a corner about v", 0, of_lines("0", "0", ["0", "0", "1"])
+    yield "a corner, v along the first tangent", 1, of_lines("0", "4", ["1", "0", "0"])
+    yield "a corner, v along the second tangent", 1, of_lines("0", "4", ["1", "-1", "0"])
 
 
 def check_forged(here):
@@ -384,7 +430,7 @@ def check_forged(here):
         (here / "lie.cert").write_text(json.dumps(forged))
         expect(status, what, here / "lie.cert")
         tried += 1
-    for name, forge in (("quartic", forgeries), ("path", forgeries_of_path), ("irrational cusp", forgeries_of_length)):
+    for name, forge in (("quartic", forgeries), ("path", forgeries_of_path), ("irrational cusp", forgeries_of_length), ("path with corners", forgeries_of_corners)):
         value, arguments = next((c, a) for n, c, a in SUBJECTS if n == name)
         curve, certificate, lie = here / "curve.json", here / "honest.cert", here / "lie.cert"
         curve.write_text(json.dumps(value))
@@ -401,7 +447,6 @@ def check_forged(here):
 
 REFUSED = [  # curve, arguments, status, in the message
     ({"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s"}, "from": 0, "to": 1}, ["--length"], 3, "formulas"),
-    (SUBJECTS[-1][1], [], 3, "corner at t = 1"),
     (QUARTIC, ["--up", "1,3,-2"], 2, "along the tangent at t = 0"),
     (power([0, 1], [0, 2], [0, 3]), ["--frame", "frenet"], 3, "straight line"),
     (QUARTIC, ["--frame", "erf"], 2, "--frame"),

@@ -4,6 +4,7 @@ them; the angles are those of mpmath's quadrature, where that is there.
 import copy
 import io
 import json
+import math
 import os
 import re
 import subprocess
@@ -85,6 +86,15 @@ def check_angles(certificate):
             sys.exit("theta(%s) is off by %s" % (claim["t"], off))
 
 
+def half_turned(honest):
+    """With A i of the second segment, another frame of the same curve."""
+    lie = copy.deepcopy(honest)
+    A = lie["segments"][1]["curve"]["preimage"]
+    A.update(u=["-" + x if x[0] != "-" else x[1:] for x in A["v"]], v=A["u"], p=A["q"],
+             q=["-" + x if x[0] != "-" else x[1:] for x in A["p"]])
+    return lie
+
+
 def forgeries(honest):
     """(what is done, the status, which statement is told not to be proved)"""
     def changed(do):
@@ -102,12 +112,7 @@ def forgeries(honest):
         x for x in c["segments"][0]["claims"] if x["t"] == "1").update(theta="0.5"))
     yield "moved", 1, "joint 1: the segment does not begin", changed(lambda c: c["segments"][1]["curve"].update(start=["0", "0", "1"]))
     yield "the other way round", 1, "joint 1", changed(lambda c: c["segments"].reverse())
-    # A·i is another frame of the same curve, turned by a half turn.
-    def turn(c):
-        A = c["segments"][1]["curve"]["preimage"]
-        A.update(u=["-" + x if x[0] != "-" else x[1:] for x in A["v"]], v=A["u"], p=A["q"],
-                 q=["-" + x if x[0] != "-" else x[1:] for x in A["p"]])
-    yield "turned", 1, "joint 1: the Euler-Rodrigues frame does not go on", changed(turn)
+    yield "turned", 1, "joint 1: the Euler-Rodrigues frame does not go on", half_turned(honest)
     yield "no segments", 2, None, changed(lambda c: c.update(segments=[]))
     yield "another frame", 2, None, changed(lambda c: c["segments"][0].update(frame="frenet"))
     yield "another key", 2, None, changed(lambda c: c.update(note="?"))
@@ -174,7 +179,11 @@ FORMS = [  # of one curve each; the frame of a plane curve does not tell A from 
     {**BERNSTEIN, "hopf": {"alpha": [[1, 0]], "beta": [[0, 0], [1, 0]]}},
     {**BERNSTEIN, "quaternions": []},
     {**BERNSTEIN, "quaternions": [[0, 0, 0, 0]]},
-    {**BERNSTEIN, "quaternions": [[1, 0, 0, 0]], "complex": [[1, 0]]}]
+    {**BERNSTEIN, "quaternions": [[1, 0, 0, 0]], "complex": [[1, 0]]},
+    {**BERNSTEIN, "preimage": {"u": [2, 0, 2], "v": [1, 1, 0], "p": [0, -2, 0], "q": [1, 2, 1]}, "phrame": "curve/2"},
+    {"basis": "power", "hopf": {"alpha": [[1], [0, 1]]}},
+    {"phrame": "curve/1", "segments": [{**POWER, "quaternions": [[2, 1, 0, 1], [-4, 0, -4, 2], [4, -1, 4, -2]]}]},
+    {**POWER, "position": {"x": [0, 1]}, "start": [0, 0, 0]}]
 PLANE = [
     {**POWER, "complex": [[1, -1], [0, "2"]], "start": [0, 1, 0]},
     {**BERNSTEIN, "complex": [[1, -1], [1, 1]], "start": [0, 1, 0], "multiplier": [1, 1]},
@@ -200,6 +209,53 @@ def check_forms(folder):
         expect(1, "another curve", certificate, curve=given, line="curve of")
 
 
+QUADRATICS = {"u": ["2", "-4", "4"], "v": ["1", "0", "-1"], "p": ["0", "-4", "4"], "q": ["1", "2", "-2"]}, {
+    "u": ["1", "2"], "v": ["1", "-1"], "p": ["2", "0"], "q": ["0", "3"]}
+
+
+def rotated(A, x):
+    """A x A* for a vector x; only products of quaternions are asked of it."""
+    def times(a, b):
+        return (a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+                a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0])
+    y = times(times(A, (0, *x)), (A[0], -A[1], -A[2], -A[3]))[1:]
+    size = sum(a * a for a in A)
+    return [a / size for a in y]
+
+
+def check_corner(folder):
+    """Through a corner: the Euler-Rodrigues frame of the certificate turned by its angle is the first normal, carried by least
+    rotations from each of many tangents to the next, which is right to some 1e-6."""
+    curve, certificate, lie = (folder / name for name in ("corner.json", "corner.cert", "lie.cert"))
+    first = {"phrame": "curve/1", "basis": "power", "preimage": QUADRATICS[0]}
+    curve.write_text(json.dumps({"phrame": "spline/1", "segments": [first, {"basis": "power", "preimage": QUADRATICS[1]}]}))
+    phrame("certify", curve, "--at", "1,2", "--digits", "20", "-o", certificate)
+    expect(0, "a corner", certificate, curve=curve)
+    honest, steps, carried, before = json.loads(certificate.read_text()), 1500, None, None
+    for segment, claim in zip(honest["segments"], honest["claims"]):
+        c = [[float(Fraction(x)) for x in segment["curve"]["preimage"][key]] for key in "uvpq"]
+        for k in range(steps + 1):
+            A = [sum(x * (k / steps) ** n for n, x in enumerate(a)) for a in c]
+            e = rotated(A, (1, 0, 0))
+            if carried is None:
+                carried = rotated(A, (0, 1, 0))
+            elif sum(x * y for x, y in zip(before, e)) < 1 - 1e-15:
+                w = sum(x * y for x, y in zip(carried, e)) / (1 + sum(x * y for x, y in zip(before, e)))
+                carried = [x - w * (a + b) for x, a, b in zip(carried, before, e)]
+            before = e
+    theta = float(claim["theta"])
+    f2 = [math.cos(theta) * x + math.sin(theta) * y for x, y in zip(rotated(A, (0, 1, 0)), rotated(A, (0, 0, 1)))]
+    if max(abs(x - y) for x, y in zip(f2, carried)) > 1e-5:
+        sys.exit("behind a corner the frame is off: %s, %s" % (f2, carried))
+    side, negative = copy.deepcopy(honest), lambda a: [("-" + x).removeprefix("--") for x in a]
+    part = side["segments"][1]
+    part["curve"]["multiplier"], part["hodograph"] = negative(part["curve"]["multiplier"]), [*map(negative, part["hodograph"])]
+    lie.write_text(json.dumps(side))
+    expect(1, "f negative behind a corner", lie, line="joint 1: the tangent changes its side")
+    lie.write_text(json.dumps(half_turned(honest)))
+    expect(1, "turned behind a corner", lie, line="joint 1: the Euler-Rodrigues frame does not go on")
+
+
 def main():
     tried = 0
     with tempfile.TemporaryDirectory() as folder:
@@ -208,6 +264,7 @@ def main():
         phrame("construct", points, "-o", curve)
         rational = ROOT / "tests/data/rational-path.json"
         check_forms(Path(folder))
+        check_corner(Path(folder))
         for path, at in ((curve, AT), (ROOT / "examples/curves/closed-spline.json", "0,1,7/3,3,4"), (rational, AT)):
             phrame("certify", path, "--at", at, "--digits", "30", "-o", certificate)
             expect(0, path.name, certificate)

@@ -45,21 +45,36 @@ def verdicts(certificate, table, text):
     return mine, None if line.startswith("proved") else line.split(": ", 1)[1]
 
 
+def bezier(*points):
+    return {"phrame": "curve/1", "control_points": points}
+
+
+SUBJECTS = [  # a curve of the collection or a file, where, of how many numbers one is changed
+    *((name, "0,1/7,1/2,1", EVERY) for name in ("tame-01", "hard-rounding-01", "turning-multiplier-05", "plane-offsets-02")),
+    (bezier([0, 0, 0], [1, 3, -2], [4, 1, 5], [2, -3, 1]), "0,1/7,1/2,1", 2 * EVERY),  # to the frame of a vector
+    (bezier([0, 0, 0], [1, 0, 2], [5, 0, 3], [7, 0, -4]), "0,1/7,1/2,1", 4 * EVERY),  # plane, with numbers that are 0
+    ({"phrame": "spline/1", "segments": [bezier([0, 0, 0], [2, 0, 0]), bezier([2, 0, 0], [3, 0, 0], [4, 1, 0], [4, 3, 5]),
+                                         bezier([4, 3, 5], [4, 2, 7])]}, "0,1/7,3/2,2", 2 * EVERY)]  # a line first; at a corner
+
+
 def main():
     tried = 0
     with tempfile.TemporaryDirectory() as folder:
         certificate, table, curve = (Path(folder) / name for name in ("angle.cert", "frames.csv", "curve.json"))
-        for name in ("tame-01", "hard-rounding-01", "turning-multiplier-05", "plane-offsets-02"):
-            phrame("reference", name, "-o", curve)
-            phrame("certify", curve, "--at", "0,1/7,1/2,1", "--digits", "40", "-o", certificate)
-            text = phrame("frames", curve, "--at", "0,1/7,1/2,1")
+        for name, at, every in SUBJECTS:
+            if isinstance(name, str):
+                phrame("reference", name, "-o", curve)
+            else:
+                curve.write_text(json.dumps(name))
+            phrame("certify", curve, "--at", at, "--digits", "40", "-o", certificate)
+            text = phrame("frames", curve, "--at", at)
             if verdicts(certificate, table, text) != (None, None):
                 sys.exit("%s: the program's own table: %s" % (name, verdicts(certificate, table, text)))
             head, *rows = text.splitlines()
             forged = ["\n".join([head, *rows[:-1]]), "\n".join([head, rows[0], rows[2], rows[1], rows[3]])]
             for k, row in enumerate(rows):
                 cells = row.split(",")
-                for i in range((k + len(name)) % EVERY, len(cells), EVERY):
+                for i in range((k + len(name)) % every, len(cells), every):
                     x = float(cells[i])
                     other = repr(next_double(x, (i + k) % 2 == 1))
                     changed = ",".join([*cells[:i], other, *cells[i + 1:]])
@@ -70,10 +85,15 @@ def main():
                 if said[0] is None or said[0] != said[1]:
                     sys.exit("%s: %s of a table that is wrong:\n%s" % (name, said, lie))
             # With few digits the angle does not tell the double, and both say so.
-            phrame("certify", curve, "--at", "0,1/7,1/2,1", "--digits", "12", "-o", certificate)
+            phrame("certify", curve, "--at", at, "--digits", "12", "-o", certificate)
             said = verdicts(certificate, table, text)
             if said[0] != said[1] or (name == "tame-01") and said[0] is None:
                 sys.exit("%s, 12 digits: %s" % (name, said))
+        # Of the Frenet frame there is no table.
+        curve.write_text(json.dumps(SUBJECTS[4][0]))
+        phrame("certify", curve, "--frame", "frenet", "-o", certificate)
+        if verdicts(certificate, table, phrame("frames", curve, "--at", "1")) != ("the angles are not those to the frame of a vector",) * 2:
+            sys.exit("to the Frenet frame: %s" % (verdicts(certificate, table, text),))
         # The rational arc is not known beyond its ends; the angle, which is 0, is.
         curve.write_text(json.dumps({"phrame": "curve/1", "control_points": [[1, 0, 0], [1, 1, 0], [0, 1, 0]], "weights": [1, 1, 2]}))
         phrame("certify", curve, "--at", "0,1", "-o", certificate)

@@ -44,12 +44,15 @@ class IntegralReader {
     return s;
   }
 
-  /// Precondition: all segments are read.
-  Rational parameter(const JsonNode& node, const std::string& value, const std::string& radius) {
+  /// Precondition: all segments are read. There may be turns at the joints.
+  Rational parameter(const JsonNode& node, const std::string& value, const std::string& radius,
+                     bool has_turns) {
     Rational t = exact(node);
     const Integer of_t = Integer(bits_of(t)) * (1 + longest_);
-    const Integer of_value = bits_of(parse_rational(value)) + bits_of(parse_rational(radius));
+    const Integer of_radius = bits_of(parse_rational(radius));
+    const Integer of_value = bits_of(parse_rational(value)) + of_radius;
     work_ += of_t * of_t / 500 + of_value * of_value / 1000 + 1000 * Integer(1 + count_);
+    if (has_turns && count_ > 1) work_ += (2 * count_ + 8) * of_radius * of_radius;
     return t;
   }
 
@@ -139,7 +142,7 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
     item.require_known_keys({"t", value, "radius"});
     const std::string number = read_decimal(item.at(value));
     const std::string radius = read_radius(item.at("radius"));
-    const Rational t = read.parameter(item.at("t"), number, radius);
+    const Rational t = read.parameter(item.at("t"), number, radius, c.frame == Reference::up);
     if (c.frame)
       c.angles.push_back({t, number, radius, {}});
     else

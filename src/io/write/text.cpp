@@ -53,22 +53,40 @@ std::string summary(long degree, std::size_t digits) {
   return fmt::format("⟨degree {}, coefficients of up to {}⟩", degree, counted(digits, "digit"));
 }
 
+/// Of the character that the text begins with, in bytes of UTF-8; 0 where there is none.
+std::size_t length_of_character(std::string_view text) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80U) return 1;
+  const std::size_t length = first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3 : 4;
+  // Neither longer than need be nor half of a surrogate pair nor beyond U+10FFFF.
+  const unsigned least = first == 0xE0U ? 0xA0U : first == 0xF0U ? 0x90U : 0x80U;
+  const unsigned greatest = first == 0xEDU ? 0x9FU : first == 0xF4U ? 0x8FU : 0xBFU;
+  if (length == 0 || first > 0xF4U || byte(1) < least || byte(1) > greatest) return 0;
+  for (std::size_t k = 2; k < length; ++k)
+    if (byte(k) < 0x80U || byte(k) > 0xBFU) return 0;
+  return length;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
   std::string shown;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    unsigned code = static_cast<unsigned char>(text[k]);
+  while (!text.empty()) {
+    const std::size_t length = length_of_character(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+    text.remove_prefix(character.size());
     // U+0080 … U+009F are the two bytes C2 80 … C2 9F.
-    const unsigned next = k + 1 < text.size() ? static_cast<unsigned char>(text[k + 1]) : 0;
-    if (code == 0xC2U && next >= 0x80U && next < 0xA0U) {
-      code = next;
-      ++k;
-    } else if (code >= 0x20U && code != 0x7FU) {
-      shown += text[k];
-      continue;
-    }
-    shown += fmt::format("\\u{:04x}", code);
+    const bool is_c1 = length == 2 && character < "\xC2\xA0";
+    const unsigned code = static_cast<unsigned char>(character.back());
+    if (length == 0)
+      shown += fmt::format("\\x{:02x}", code);
+    else if (is_c1 || (length == 1 && (code < 0x20U || code == 0x7FU)))
+      shown += fmt::format("\\u{:04x}", code);
+    else
+      shown += character;
   }
   return shown;
 }

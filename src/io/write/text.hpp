@@ -13,7 +13,8 @@ namespace phrame::inline v0 {
 
 // What reports for a screen are made with.
 
-/// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b".
+/// The text on one line, safe for a terminal: control characters (C0, DEL, C1) become "\u001b", and
+/// bytes that are no UTF-8 "\xff".
 std::string printable(std::string_view text);
 
 /// `text` with `line`, a line break and what the next line begins with, for each line break.

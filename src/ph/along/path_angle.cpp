@@ -87,7 +87,7 @@ struct PHRAME_INSIDE PathAngle::State {
   Recent<SegmentIntegral> others{most_kept_integrals};  ///< of the others
   std::size_t closed_segments = 0;  ///< PH curves that come first, without a turn between
   std::map<std::size_t, Real> corner_turns{};  ///< for each segment that begins with a corner
-  bool is_zero = true;
+  std::size_t still_segments = 0;              ///< that come first, with θ = 0 all along
   Lazy<Vector<Rational>> chosen_up{};
   Lazy<PlaneTurns> plane_turns{};
 
@@ -132,6 +132,13 @@ struct PHRAME_INSIDE PathAngle::State {
     return plane_turns.get([&] { return PlaneTurns(path, *measure.up); }).at(at);
   }
 
+  bool is_zero() const { return still_segments == path.segments().size(); }
+  /// Is θ there seen to be 0, as none has turned before?
+  bool is_zero_at(const Place& at) const {
+    if (at.segment < still_segments) return true;
+    return at.segment == still_segments && at.t.exact() == Rational(0) &&
+           !corner_turns.contains(at.segment);
+  }
   RealBall sum_before(std::size_t segment, long bits);
   RealBall enclose(const Place& at, long bits);
   RealBall enclose(const Place& at, const Real& start, long bits);
@@ -149,7 +156,8 @@ PathAngle::State::State(const Path& along, Measure by) : path(along), measure(st
     closed_forms.emplace_back();
     if (const Curve* curve = ph_curve(segments[k])) closed_forms[k] = measure.along(*curve);
     if (closed_forms[k] && closed_segments == k) ++closed_segments;
-    if (is_zero) is_zero = closed_forms[k] ? closed_forms[k]->is_zero() : other(k)->is_zero();
+    if (still_segments == k && (closed_forms[k] ? closed_forms[k]->is_zero() : other(k)->is_zero()))
+      ++still_segments;
   }
   if (measure.up) find_corner_turns();
 }
@@ -159,7 +167,7 @@ void PathAngle::State::find_corner_turns() {
   for (const std::size_t k : path.corners()) {
     Real turn = cached(corner_turn(k - 1, k));
     if (turn.exact() == Rational(0)) continue;
-    is_zero = false;
+    still_segments = std::min(still_segments, k);
     closed_segments = std::min(closed_segments, k);
     corner_turns.emplace(k, std::move(turn));
   }
@@ -184,7 +192,7 @@ PathAngle::State::State(const State& other, Route route)
       closed_forms(other.closed_forms),
       closed_segments(other.closed_segments),
       corner_turns(other.corner_turns),
-      is_zero(other.is_zero) {
+      still_segments(other.still_segments) {
   for (auto& angle : closed_forms)
     if (angle) angle->set_route(route);
 }
@@ -216,7 +224,7 @@ const Vector<Rational>& PathAngle::up() const {
 
 const RmfAngle* PathAngle::closed_form(std::size_t k) const { return state_->closed_form(k); }
 
-bool PathAngle::is_zero() const { return state_->is_zero; }
+bool PathAngle::is_zero() const { return state_->is_zero(); }
 
 void PathAngle::set_route(Route route) { state_ = std::make_shared<State>(*state_, route); }
 
@@ -233,7 +241,7 @@ RealBall PathAngle::State::sum_before(std::size_t segment, long bits) {
 }
 
 RealBall PathAngle::State::enclose(const Place& at, long bits) {
-  if (is_zero) return {};
+  if (is_zero_at(at)) return {};
   constexpr long most = 1L << 20;
   for (long more = bits + 8;; more += 24 + more / 4) {
     const RealBall sum =
@@ -361,7 +369,7 @@ Real PathAngle::value(const Rational& t, const StartAngle& start) const {
 Real PathAngle::value(const Place& at, const StartAngle& start) const {
   const RmfAngle* closed = closed_form(at.segment);
   if (closed == nullptr) require_on_segment(at.t);
-  if (is_zero() || (at.segment == 0 && at.t.exact() == Rational(0))) return start.value;
+  if (state_->is_zero_at(at)) return start.value;
   if (!start.exact) return value(at) + start.value;
   auto form = state_->algebraic_form(at);
   if (!form && state_->is_closed_up_to(at.segment)) {

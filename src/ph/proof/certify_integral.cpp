@@ -139,7 +139,7 @@ void find_pieces(IntegralCertificate& c, const PathParameter& end, const Rationa
   }
 }
 
-/// The segment that t is in, the earlier one at a joint, up to which are those that θ(t) rests on.
+/// The segment that t is in, the earlier one at a joint, up to which are those that are summed.
 PathParameter last_part(std::size_t count, const Rational& t) {
   const PathParameter at = locate_inside(count, t);
   return at.t == 0 && at.segment > 0 ? PathParameter{at.segment - 1, 1} : at;
@@ -152,10 +152,11 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
   std::optional<Rational> slack;
   PathParameter end{0, 0};
   for (const Rational& t : at) {
-    const PathParameter place = last_part(c.segments.size(), t);
-    const StatedNumber stated = stated_number(value(place), digits, is_zero || t == 0, spare_bits);
+    const StatedNumber stated = stated_number(value(Place(locate_inside(c.segments.size(), t))),
+                                              digits, is_zero || t == 0, spare_bits);
     add(c, t, stated);
     if (t == 0) continue;
+    const PathParameter place = last_part(c.segments.size(), t);
     if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
     if (!slack || stated.slack < *slack) slack = stated.slack;
   }
@@ -169,16 +170,12 @@ IntegralCertificate certify(const PathAngle& angle, const std::vector<Rational>&
   const Path& path = angle.path();
   if (angle.reference() == Reference::euler_rodrigues)
     throw DomainError("certify: this angle is to the Euler-Rodrigues frame");
-  if (!path.corners().empty())
-    throw DomainError(fmt::format(
-        "certify: the path has a corner at t = {}, which no certificate of angles tells of",
-        path.corners().front()));
   IntegralCertificate c = without_pieces(path);
   c.frame = angle.reference();
   if (c.frame == Reference::up) c.up = angle.up();
   return with_claims(
       std::move(c), at, digits, angle.is_zero(),
-      [&](const PathParameter& place) { return angle.value(Place(place)); },
+      [&](const Place& place) { return angle.value(place); },
       [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
         to.angles.push_back({t, stated.value, stated.radius, {}});
       });
@@ -188,7 +185,7 @@ IntegralCertificate certify_length(const Path& path, const std::vector<Rational>
   const PathLength length(path);
   return with_claims(
       without_pieces(path), at, digits, false,
-      [&](const PathParameter& place) { return length.value(Place(place)); },
+      [&](const Place& place) { return length.value(place); },
       [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
         to.lengths.push_back({t, stated.value, stated.radius});
       });

@@ -13,7 +13,9 @@
 #include "phrame/ph/curve/place.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/proof/check_weight.hpp"
+#include "phrame/ph/proof/integral_laws.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
+#include "phrame/ph/proof/verify_integral.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -40,14 +42,12 @@ const std::vector<std::string>& certified_columns() {
 namespace {
 
 /// Rows at the t of the claims about a path; where the angle is 0 they follow without it.
-std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& claims,
+std::string objection_to_rows(const PathAngle& angle, const std::vector<AngleClaim>& claims,
                               const std::function<bool(const Rational& t)>& is_zero,
                               const std::vector<std::vector<Rational>>& rows) {
   if (rows.size() != claims.size())
     return fmt::format("it has {} rows, and there are {} angles", rows.size(), claims.size());
-  if (sign_after_zero(ph_curve(path.segments().front())->multiplier()) < 0)
-    return "the multiplier is negative at the start";
-  const PathAngle angle(path, Reference::euler_rodrigues);
+  const Path& path = angle.path();
   const Vector<Real> first = tangent(path, {0, Rational(0)});
   if (first[0].exact() == Rational(-1)) return "the tangent at the start is -x";
   const StartAngle start = start_angle(LeastRotation(), angle);
@@ -62,7 +62,7 @@ std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& c
     const Rational slack =
         is_exact ? Rational(0) : 3 * parse_rational(claim.radius) + power_of_ten(-900);
     const Frame<Real> frame = rotation_minimizing_frame(angle, at, start);
-    const Frame<Real> reference = euler_rodrigues_frame(path, at);
+    const Frame<Real> reference = reference_frame(angle, at);
     const Vector<Real> r = position(path, at);
     const Vector<Real>* vectors[]{&r, &frame.e1, &frame.e2, &frame.e3};
     for (std::size_t i = 0; i < certified_columns().size(); ++i) {
@@ -70,12 +70,39 @@ std::string objection_to_rows(const Path& path, const std::vector<AngleClaim>& c
       const Real exact = i == 0 ? Real(claim.t) : (*vectors[(i - 1) / 3])[axis];
       const bool needs_angle = i >= 7 && !(reference.e2[axis].exact() == Rational(0) &&
                                            reference.e3[axis].exact() == Rational(0));
-      if (!is_next_double(rows[k][i], exact, needs_angle ? slack : Rational(0)))
+      // To another frame a number that is not known exactly may be 0.
+      const bool may_be_0 = angle.reference() == Reference::up && !exact.exact();
+      const Rational least = may_be_0 && i >= 4 ? power_of_ten(-900) : Rational(0);
+      if (!is_next_double(rows[k][i], exact, needs_angle ? std::max(slack, least) : least))
         return fmt::format("row {}, {} is not proved to be the double next to the exact number",
                            k + 1, certified_columns()[i]);
     }
   }
   return "";
+}
+
+std::string objection_to_rows_by_erf(const Path& path, const std::vector<AngleClaim>& claims,
+                                     const std::function<bool(const Rational& t)>& is_zero,
+                                     const std::vector<std::vector<Rational>>& rows) {
+  if (sign_after_zero(ph_curve(path.segments().front())->multiplier()) < 0)
+    return "the multiplier is negative at the start";
+  return objection_to_rows(PathAngle(path, Reference::euler_rodrigues), claims, is_zero, rows);
+}
+
+/// Is the angle 0 at t, since nothing has turned?
+bool is_still_at(const IntegralCertificate& c, const Rational& t) {
+  std::optional<DirectedCurve> before;
+  for (std::size_t k = 0; k < c.segments.size() && Rational(static_cast<long>(k)) <= t; ++k) {
+    DirectedCurve curve = directed_curve(c.segments[k]);
+    if (before) objection_to_joint(c, k, *before, curve);
+    if (curve.turn.exact() != Rational(0)) return false;
+    if (t == Rational(static_cast<long>(k))) return true;
+    const auto f = integrand(c, k, curve);
+    const auto* rate = std::get_if<RootQuotient>(&f);
+    if (rate == nullptr || !rate->numerator.is_zero()) return false;
+    before = std::move(curve);
+  }
+  return true;
 }
 
 }  // namespace
@@ -85,7 +112,20 @@ std::string objection_to_table(const Certificate& c,
   if (c.reference != Reference::euler_rodrigues) return "the angles are those to the Frenet frame";
   if (!objection_to_weight(c.curve).empty()) return "rests on the weight";
   const auto is_zero = [&](const Rational& t) { return t == 0 || c.rate.numerator.is_zero(); };
-  return objection_to_rows(Path(c.curve), c.claims, is_zero, rows);
+  return objection_to_rows_by_erf(Path(c.curve), c.claims, is_zero, rows);
+}
+
+std::string objection_to_table(const IntegralCertificate& c,
+                               const std::vector<std::vector<Rational>>& rows) {
+  if (c.frame != Reference::up) return "the angles are not those to the frame of a vector";
+  const auto path = path_of(c);
+  if (const auto* objection = std::get_if<std::string>(&path)) return *objection;
+  const auto is_zero = [&](const Rational& t) { return is_still_at(c, t); };
+  try {
+    return objection_to_rows(PathAngle(std::get<Path>(path), c.up), c.angles, is_zero, rows);
+  } catch (const DomainError& error) {
+    return error.what();
+  }
 }
 
 std::string objection_to_table(const PathCertificate& c,
@@ -98,7 +138,7 @@ std::string objection_to_table(const PathCertificate& c,
       c.segments, [](const Certificate& segment) { return !segment.rate.numerator.is_zero(); });
   const auto is_zero = [zero_to = Rational(static_cast<long>(turning - c.segments.begin()))](
                            const Rational& t) { return t <= zero_to; };
-  return objection_to_rows(std::get<Path>(path), c.claims, is_zero, rows);
+  return objection_to_rows_by_erf(std::get<Path>(path), c.claims, is_zero, rows);
 }
 
 }  // namespace phrame

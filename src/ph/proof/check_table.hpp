@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "phrame/ph/proof/certificate.hpp"
+#include "phrame/ph/proof/integral_certificate.hpp"
 
 namespace phrame::inline v0 {
 
@@ -15,8 +16,12 @@ const std::vector<std::string>& certified_columns();
 /// here they are computed anew, and allowed 3 times the radius. Each row has a number a column.
 std::string objection_to_table(const Certificate& c,
                                const std::vector<std::vector<Rational>>& rows);
-/// The same of a path.
+/// @{ The same of a path, and of any curves by angles to the frame of a vector that is nowhere
+/// along their tangents.
 std::string objection_to_table(const PathCertificate& c,
                                const std::vector<std::vector<Rational>>& rows);
+std::string objection_to_table(const IntegralCertificate& c,
+                               const std::vector<std::vector<Rational>>& rows);
+/// @}
 
 }  // namespace phrame

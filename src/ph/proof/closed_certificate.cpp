@@ -234,7 +234,8 @@ bool complete(ClosedClaims& claims, const std::vector<Curve>& segments, const Cl
 }
 
 std::vector<Statement> verify(const ClosedClaims& claims, const std::vector<Curve>& segments,
-                              bool is_joined, const std::variant<ClaimedSum, std::string>& theta) {
+                              bool is_joined, bool is_smooth,
+                              const std::variant<ClaimedSum, std::string>& theta) {
   const auto* sum = std::get_if<ClaimedSum>(&theta);
   const std::string closing = is_joined ? objection_to_closing(segments) : "rests on the joints";
   std::vector<Statement> list{{"closed", closing}};
@@ -253,8 +254,9 @@ std::vector<Statement> verify(const ClosedClaims& claims, const std::vector<Curv
   }
   if (const auto& claim = claims.writhe) {
     std::string crossings =
-        path ? objection_to_crossings(segments, claim->projection, claim->crossings)
-             : "rests on the closed";
+        !path        ? "rests on the closed"
+        : !is_smooth ? "the path has corners"
+                     : objection_to_crossings(segments, claim->projection, claim->crossings);
     if (crossings.empty()) crossings = objection_by_newton(*claim, *path);
     std::string objection = !crossings.empty() ? "rests on the crossings"
                             : sum              ? objection_to_writhe(*claim, segments, *sum)

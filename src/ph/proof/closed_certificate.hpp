@@ -22,9 +22,10 @@ ClosedClaims closed_claims(const PhPath& path, const ClosedQuery& query, long di
 bool complete(ClosedClaims& claims, const std::vector<Curve>& segments, const ClaimedSum& theta);
 
 /// Decides the statements, by the laws of docs/certificate.md and by the integrals and crossings
-/// that are found anew. Are the segments joined? `theta` is the sum at the end, or why that is not
-/// proved.
+/// that are found anew. Are the segments joined, and without corners? `theta` is the sum at the
+/// end, or why that is not proved.
 std::vector<Statement> verify(const ClosedClaims& claims, const std::vector<Curve>& segments,
-                              bool is_joined, const std::variant<ClaimedSum, std::string>& theta);
+                              bool is_joined, bool is_smooth,
+                              const std::variant<ClaimedSum, std::string>& theta);
 
 }  // namespace phrame

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/corner.hpp"
+#include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -58,7 +60,8 @@ DirectedCurve directed_curve(const IntegralSegment& segment) {
   const Polynomial slope = differentiate(W);
   Vector<Polynomial> velocity = differentiate(X);
   for (std::size_t k = 0; k < 3; ++k) velocity[k] = velocity[k] * W - X[k] * slope;
-  DirectedCurve curve{gcd(velocity), {}};
+  DirectedCurve curve;
+  curve.multiplier = gcd(velocity);
   curve.direction = quotient_of(velocity, curve.multiplier);
   const auto& [x, y, z] = curve.direction;
   const Rational unit = common_content({x, y, z}) * Rational(sign_after_zero(curve.multiplier));
@@ -78,12 +81,23 @@ std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
   if (!c.frame) return "";
   const Vector<Rational> x = evaluate(before.direction, 1);
   const Vector<Rational> y = evaluate(after.direction, 0);
-  if (!are_parallel(x, y)) return "the tangent does not go on";
-  if (dot(x, y) < 0) {
+  const bool is_corner = !are_parallel(x, y);
+  const bool goes_on = is_corner ? sign_before_one(before.multiplier) > 0 : dot(x, y) > 0;
+  if (!goes_on) {
     after.multiplier = -after.multiplier;
     for (Polynomial& p : after.direction) p = -p;
   }
-  if (c.frame != Reference::frenet) return "";
+  if (c.frame == Reference::up) {
+    if (are_parallel(c.up, x) || are_parallel(c.up, y)) return "v is along the tangent";
+    const Vector<Rational> to = goes_on ? y : Rational(-1) * y;
+    const Vector<Rational> S = cross(c.up, x);
+    const Vector<Rational> T = cross(c.up, to);
+    const bool is_carried = (dot(c.up, x) == 0 && dot(c.up, y) == 0) ||  // about v, or v stays
+                            (dot(S, to) == 0 && dot(S, T) > 0);          // in the plane of both
+    if (is_corner && !is_carried)
+      after.turn = carried_angle(as_reals(x), as_reals(S), as_reals(to), as_reals(T));
+    return "";
+  }
   const SplitBinormal m = split_binormal(before.direction);
   const SplitBinormal n = split_binormal(after.direction);
   if (m.g.is_zero() || n.g.is_zero()) return no_line;
@@ -92,7 +106,8 @@ std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
 
 std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
                                                   const DirectedCurve& curve) {
-  const auto& [f, H] = curve;
+  const Polynomial& f = curve.multiplier;
+  const Vector<Polynomial>& H = curve.direction;
   const IntegralSegment& segment = c.segments[k];
   const Polynomial& root = segment.square;
   if (root(0) <= 0) return "square is not positive at t = 0";

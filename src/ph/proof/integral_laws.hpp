@@ -10,12 +10,14 @@ namespace phrame::inline v0 {
 struct DirectedCurve {
   Polynomial multiplier;         ///< f, positive for small t > 0 until it is turned over
   Vector<Polynomial> direction;  ///< H, of integers without a common factor
+  Real turn = Rational(0);       ///< by which the angle to the frame of v grows where it begins
 };
 /// Precondition: r is not a single point.
 DirectedCurve directed_curve(const IntegralSegment& segment);
 
 /// Why the segment does not go on from the one before, with its frame; empty where it does. Turns
-/// it over where H goes on as −H.
+/// it over where H goes on as −H, at a corner where f has changed its sign, and finds the turn of a
+/// corner.
 std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
                                const DirectedCurve& before, DirectedCurve& after);
 

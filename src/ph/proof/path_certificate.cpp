@@ -1,6 +1,8 @@
-// The Euler–Rodrigues frame goes on at a joint where the preimages there, without their zeros, are
-// the same but for a real factor. So θ(t) is the sum of the θ(1) of the segments before t and of θ
-// of that one, and its error at most the sum of theirs.
+// The Euler–Rodrigues frame goes on at a joint, or is carried by the least rotation through a
+// corner, where conj(A₀)·A₁ = c + yj + zk with c ≠ 0 for the preimages there, without their zeros:
+// the rotation from the one frame to the other, A₁·conj(A₀), has an axis that is normal to e₁ then.
+// So θ(t) is the sum of the θ(1) of the segments before t and of θ of that one, and its error at
+// most the sum of theirs.
 #include "phrame/ph/proof/path_certificate.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/certify.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/closed_certificate.hpp"
 #include "phrame/ph/proof/stated_number.hpp"
 #include "phrame/ph/proof/verify.hpp"
@@ -31,24 +34,26 @@ const AngleClaim* claim_at(const Certificate& c, const Rational& t) {
   return found == c.claims.end() ? nullptr : &*found;
 }
 
-/// Are a and b, not 0, the same but for a real factor?
-bool are_parallel(const RationalQuaternion& a, const RationalQuaternion& b) {
-  const std::array<Rational, 4> x{a.u, a.v, a.p, a.q};
-  const std::array<Rational, 4> y{b.u, b.v, b.p, b.q};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j)
-      if (x[i] * y[j] != x[j] * y[i]) return false;
-  return true;
+/// conj(A₀)·A₁ at the joint.
+RationalQuaternion step_between(const Curve& before, const Curve& after) {
+  return conjugate(evaluate(without_real_content(before.preimage()), 1)) *
+         evaluate(without_real_content(after.preimage()), 0);
+}
+
+bool is_corner(const Curve& before, const Curve& after) {
+  const RationalQuaternion step = step_between(before, after);
+  return step.p != 0 || step.q != 0;
 }
 
 std::string objection_to_joint(const Curve& before, const Curve& after) {
   if (before.weight()(1) == 0) return "the weight of the segment before is 0 at its end";
   if (end_point(before) != after.start())
     return "the segment does not begin where the one before ends";
-  if (!are_parallel(evaluate(without_real_content(before.preimage()), 1),
-                    evaluate(without_real_content(after.preimage()), 0)))
-    return "the Euler-Rodrigues frame does not go on";
-  return "";
+  const RationalQuaternion step = step_between(before, after);
+  if (step.v != 0 || step.u == 0) return "the Euler-Rodrigues frame does not go on";
+  return unless(!is_corner(before, after) ||
+                    sign_before_one(before.multiplier()) == sign_after_zero(after.multiplier()),
+                "the tangent changes its side at the corner");
 }
 
 /// Sums of what the segments claim, from the start to each joint, and what they lack.
@@ -108,10 +113,10 @@ AngleClaim rounded_claim(const Real& theta, const Rational& t, long digits) {
 PathCertificate certify(const PhPath& path, const std::vector<Rational>& at, long digits,
                         const ClosedQuery& query) {
   const auto& curves = path.segments();
-  if (!path.corners().empty())
+  if (query.writhe && !path.corners().empty())
     throw DomainError(
-        fmt::format("certify: the path has a corner at t = {}, which no certificate "
-                    "tells of",
+        fmt::format("certify: the path has a corner at t = {}, and no certificate tells of its "
+                    "writhe",
                     path.corners().front()));
   const PathAngle angle(Path(path), Reference::euler_rodrigues);
   PathCertificate certificate;
@@ -162,9 +167,11 @@ std::vector<Statement> verify(const PathCertificate& c) {
       list.push_back(std::move(statement));
     }
   std::size_t joined = 0;  // the last joint up to which all are proved
+  bool is_smooth = true;
   for (std::size_t k = 1; k < c.segments.size(); ++k) {
     const std::string objection = objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve);
     if (objection.empty() && joined + 1 == k) joined = k;
+    if (is_corner(c.segments[k - 1].curve, c.segments[k].curve)) is_smooth = false;
     list.push_back({fmt::format("joint {}", k), objection});
   }
   const SegmentSums sums(c.segments);
@@ -190,19 +197,22 @@ std::vector<Statement> verify(const PathCertificate& c) {
   }
   const std::size_t last = c.segments.size() - 1;
   if (c.closed)
-    std::ranges::move(verify(*c.closed, curves_of(c), joined == last, sum_at({last, 1})),
+    std::ranges::move(verify(*c.closed, curves_of(c), joined == last, is_smooth, sum_at({last, 1})),
                       std::back_inserter(list));
   return list;
 }
 
 std::variant<Path, std::string> path_of(const PathCertificate& c) {
   std::vector<Segment> segments{PhSegment(c.segments.front().curve)};
+  std::vector<std::size_t> corners;
   for (std::size_t k = 1; k < c.segments.size(); ++k) {
-    if (!objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve).empty())
-      return "rests on the joints";
-    segments.emplace_back(PhSegment(c.segments[k].curve));
+    const Curve& before = c.segments[k - 1].curve;
+    const Curve& curve = c.segments[k].curve;
+    if (!objection_to_joint(before, curve).empty()) return "rests on the joints";
+    if (is_corner(before, curve)) corners.push_back(k);
+    segments.emplace_back(PhSegment(curve));
   }
-  return Path::of_continuous(std::move(segments));
+  return Path::of_continuous(std::move(segments), std::move(corners));
 }
 
 }  // namespace phrame

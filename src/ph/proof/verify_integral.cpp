@@ -33,6 +33,7 @@ class SegmentProof {
             unless(count_real_roots(weight, closed_interval(0, 1)) == 0, "w has a zero on [0, 1]"));
     if (before != nullptr) {
       const std::string objection = objection_to_joint(c, k, before->curve_, curve_);
+      is_joined_ = objection.empty();
       add({fmt::format("joint {}", k), objection});
     }
     const auto f = integrand(c, k, curve_);
@@ -47,6 +48,10 @@ class SegmentProof {
 
   const std::vector<Statement>& statements() const { return statements_; }
   bool is_proved() const { return is_proved_; }
+  /// Does it go on from the segment before?
+  bool is_joined() const { return is_joined_; }
+  /// By how much the angle grows at the joint.
+  RealBall turn(long bits) const { return curve_.turn.enclose(bits); }
   /// The pieces end here.
   const Rational& end() const { return end_; }
 
@@ -122,12 +127,13 @@ class SegmentProof {
   DirectedCurve curve_;
   std::vector<Statement> statements_;
   bool is_proved_ = true;
+  bool is_joined_ = true;
   std::vector<Part> pieces_;
   Rational end_ = 0;
   std::optional<Series> series_;
 };
 
-/// |the integral from 0 to t − value| ≤ radius.
+/// |the integral from 0 to t, and the turns of the corners up to there − value| ≤ radius.
 std::string objection_to_claim(std::vector<SegmentProof>& segments, const Rational& t,
                                const Rational& value, const Rational& radius) {
   if (t < 0 || t > Rational(static_cast<long>(segments.size()))) return "t is not on the path";
@@ -144,11 +150,16 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
   std::string objection =
       each([&](SegmentProof& segment, const Rational& to) { sum += segment.bounds(to); });
   if (!objection.empty()) return objection;
-  if (sum.lower < value - radius || value + radius < sum.upper)
-    return "it does not follow from the pieces";
-  const long bits = 64 + (radius == 0 ? 0 : std::max(0L, -binary_exponent(radius))) +
+  const long bits = 128 + (radius == 0 ? 0 : std::max(0L, -binary_exponent(radius))) +
                     std::max(0L, binary_exponent(abs(value) + 1));
   RealBall total;
+  for (std::size_t k = 1; k < segments.size() && Rational(static_cast<long>(k)) <= t; ++k) {
+    if (!segments[k].is_joined()) return fmt::format("rests on joint {}", k);
+    total = add(total, segments[k].turn(bits), bits);
+  }
+  sum += {total.lower(), total.upper()};
+  if (sum.lower < value - radius || value + radius < sum.upper)
+    return "it does not follow from the pieces";
   each([&](SegmentProof& segment, const Rational& to) {
     total = add(total, segment.by_series(to, bits), bits);
   });

@@ -11,7 +11,11 @@ TEST_CASE("text: control characters, in one byte or two, are escaped; other char
   CHECK(printable("a\x1b[31m\nb\x7f") == "a\\u001b[31m\\u000ab\\u007f");
   CHECK(printable("\xC2\x9B"
                   "31m\xC2\x80") == "\\u009b31m\\u0080");
-  CHECK(printable("σ é \xC2\xA0 ⟨⟩ \xC2") == "σ é \xC2\xA0 ⟨⟩ \xC2");
+  CHECK(printable("σ é \xC2\xA0 ⟨⟩ 𝕜") == "σ é \xC2\xA0 ⟨⟩ 𝕜");
+  // What is no UTF-8: lone bytes, a longer form of "/", half of a surrogate pair, beyond U+10FFFF.
+  CHECK(printable("\xFF{\xE9\xC2") == "\\xff{\\xe9\\xc2");
+  CHECK(printable("\xC0\xAF\xE0\x80\xAF") == "\\xc0\\xaf\\xe0\\x80\\xaf");
+  CHECK(printable("\xED\xA0\x80\xF4\x90\x80\x80") == "\\xed\\xa0\\x80\\xf4\\x90\\x80\\x80");
   CHECK(printable("") == "");
 }
 

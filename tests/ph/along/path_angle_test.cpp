@@ -374,6 +374,16 @@ TEST_CASE("path angle: plane curves and straight lines do not turn") {
   CHECK(frame.e1[0].enclose(60).overlaps(divide(RealBall(1, 60), sqrt(RealBall(5, 60), 60), 60)));
 }
 
+TEST_CASE("path angle: at the joint behind a straight segment it is exactly 0, but for a corner") {
+  const RationalCurve line({Polynomial{0, 1}, {0, 2}, {0, 3}});
+  const auto at_joint = [&](RationalCurve next) {
+    return PathAngle(joined({line, std::move(next)}), {0, 0, 1}).value({1, Rational(0)});
+  };
+  CHECK(at_joint(RationalCurve({Polynomial{1, 1, 1}, {2, 2, 0, 1}, {3, 3, 4}})).exact() ==
+        Rational(0));
+  CHECK_FALSE(at_joint(RationalCurve({Polynomial{1, 1, 1}, {2, 3, 0, 1}, {3, 3, 4}})).exact());
+}
+
 TEST_CASE("path angle: an up vector along the tangent is refused, with the place") {
   const Path path(RationalCurve({Polynomial{0, 1}, {0, -1, 1}, {0, 0, -1, Rational(4, 3)}}));
   CHECK_THROWS_WITH_AS(PathAngle(path, {1, 0, 0}),

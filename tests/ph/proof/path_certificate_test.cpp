@@ -71,13 +71,18 @@ TEST_CASE("certificate of a path: what does not follow is not proved") {
   CHECK(not_proved(lie) == Names{"joint 2", "2", "3"});
 }
 
-TEST_CASE("certificate of a path: corners and places that are not on it are refused") {
+TEST_CASE(
+    "certificate of a path: places that are not on it are refused, and the writhe of corners") {
   CHECK_THROWS_AS(certify(test::cut(test::quintic, {Rational(1, 3)}), {3}, 20), DomainError);
   CHECK_THROWS_AS(certify(test::cut(test::quintic, {Rational(1, 3)}), {-1}, 20), DomainError);
   PhPath corner(Curve({{1}, {}, {}, {}}));
   corner.append(Curve({{1}, {}, {}, {1}}, Polynomial{1}, {1, 0, 0}));
   REQUIRE(corner.corners().size() == 1);
-  CHECK_THROWS_AS(certify(corner, {2}, 20), DomainError);
+  CHECK(not_proved(certify(corner, {2}, 20)).empty());
+  CHECK_THROWS_WITH_AS(
+      certify(corner, {2}, 20, {.writhe = true}),
+      "certify: the path has a corner at t = 1, and no certificate tells of its writhe",
+      DomainError);
 }
 
 TEST_CASE("certificate of a path: rational and polynomial curves, one behind the other") {
