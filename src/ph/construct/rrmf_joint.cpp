@@ -157,27 +157,28 @@ class JoinedQuintics {
   RationalQuaternion middle_;  ///< Nb
 };
 
-/// Is the first half of this, 2^(bits + spare) times as great as the error, small beside the rest?
-constexpr unsigned spare_bits = 8;
+/// Is the first half of this, 2^(bits + finer_bits) times as great as the error, small beside the
+/// rest?
+constexpr unsigned finer_bits = 8;
 bool is_near(const std::vector<Integer>& image) {
   Integer error;
   Integer size;
   for (std::size_t k = 0; k < image.size(); ++k)
     (2 * k < image.size() ? error : size) += image[k] * image[k];
-  return error < (size << (2 * (spare_bits - 2)));
+  return error < (size << (2 * (finer_bits - 2)));
 }
 
 std::optional<JoinedRrmf> JoinedQuintics::short_one() const {
   const auto basis = lattice_of_middles(start_);
   if (!basis || norm(x_.b) == 0) return std::nullopt;
   // Turned back by Nb, C is a complex number and an error.
-  const long places = bits_ + 2 * spare_bits - binary_exponent(norm(middle_)) / 2;
+  const long places = bits_ + 2 * finer_bits - binary_exponent(norm(middle_)) / 2;
   const IntegerQuaternion back =
       conjugate(each(middle_, [&](const Rational& x) { return scaled(x, places); }));
   IntegerRows images;
   for (const auto& row : *basis) {
     const IntegerQuaternion c = back * IntegerQuaternion{row[0], row[1], row[2], row[3]};
-    const auto weight = static_cast<unsigned long>(bits_ + spare_bits);
+    const auto weight = static_cast<unsigned long>(bits_ + finer_bits);
     images.push_back({c.p << weight, c.q << weight, c.u, c.v});
   }
   return first_short_vector(*basis, images, [&](const auto& c, const auto& image) {
@@ -193,7 +194,7 @@ std::optional<JoinedRrmf> JoinedQuintics::with_middle(const IntegerQuaternion& c
   const Integer even_root = start_.root % 2 == 0 ? start_.root : start_.root + d;
   const Integer rest = modulo(even_root * size, 2 * d);
   const Rational wanted = x_.tau / norm(x_.b) * size;
-  const long places = bits_ + spare_bits;
+  const long places = bits_ + finer_bits;
   const auto accept = [&](const auto& pair, const auto& image) -> std::optional<JoinedRrmf> {
     const Integer m = abs(pair[0]);
     const Integer tau = pair[0].sign() * (pair[0] * rest - 2 * pair[1] * d);

@@ -131,7 +131,7 @@ TEST_CASE(
     const QuaternionPolynomial& a = found.path.segments()[k].preimage();
     for (const Polynomial* part : {&a.u, &a.v, &a.p, &a.q})
       bits = std::max(bits, primitive_bits(*part));
-    CHECK(bits < 480);
+    CHECK(bits < 300);
   }
 }
 
