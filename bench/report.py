@@ -83,6 +83,10 @@ def points(n, digits=16):
     return "x,y,z\n" + "".join(",".join(f"{x:.{digits}g}" for x in row) + "\n" for row in rows)
 
 
+def coil(n):
+    return "x,y,z\n" + "".join(f"{math.cos(0.3 * k)!r},{math.sin(0.3 * k)!r},{0.03 * k!r}\n" for k in range(n))
+
+
 def svg_path(n):
     """Lines and curves of both degrees with a corner at nearly every joint."""
     rng = random.Random(n)
@@ -197,6 +201,7 @@ def beside(program):
     table = points(10_000)
     spline = program.file("spline.csv", table)
     thousand = program.file("thousand.csv", points(1000))
+    coiled = program.file("coil.csv", coil(400))
     ph = program.folder / "ph.json"
     program.run("construct", thousand, "-o", ph)
     corners = program.file("corners.svg", svg_path(10_000))
@@ -215,6 +220,8 @@ def beside(program):
         ("start", ("--version",), "to load its libraries", lambda: libraries(program)),
         ("`frames`, 10⁶ rows as CSV", ("frames", quintic, "--samples", 1_000_001), "`numpy.savetxt` of as many numbers", numpy and (lambda: by_savetxt(1_000_001))),
         ("`frames --by arc-length`, 10⁵ rows", (*by_t, "--by", "arc-length"), "the same by t", by_t),
+        ("`frames --frame frenet --by arc-length`, 11 rows, degree 81", ("frames", m81, "--samples", 11, "--frame", "frenet", "--by", "arc-length"),
+         "`frames --by arc-length`", ("frames", m81, "--samples", 11, "--by", "arc-length")),
         ("`check` of 10⁵ rows", ("check", quintic, frames), "`frames` writes them", by_t),
         ("the same, to six decimals", ("check", quintic, noisy, "--tol", "1e-5"), "`frames` writes them", by_t),
         ("`frames` of a knot by formulas, 10⁵ rows", ("frames", KNOT, "--samples", 100_001), "of a quintic", by_t),
@@ -236,6 +243,7 @@ def beside(program):
         ("`frames --frame frenet`, 10⁴ rows along them", ("frames", ph, "--samples", 10_001, "--frame", "frenet"), "`frames`", ("frames", ph, "--samples", 10_001)),
         ("`info` of an SVG path with corners, 10⁴ commands", ("info", corners), "`angle`", ("angle", corners, "--at", 1)),
         ("`construct` through 1000 points", ("construct", thousand), "`angle` of that", ("angle", ph, "--at", 1)),
+        ("`construct --kind rrmf`, 400 points of a coil", ("construct", coiled, "--kind", "rrmf"), "`--kind rmf`", ("construct", coiled, "--kind", "rmf")),
         ("`compile` of the knot", ("compile", KNOT), "`angle`", ("angle", KNOT, "--at", 1)),
         ("`page` of degree 81", ("page", m81), "`angle`", ("angle", m81, "--at", 1)),
     ]
@@ -260,6 +268,7 @@ def growth(program):
     def angles(name, make):
         return lambda n: ("angle", program.file(f"{name}{n}.json", make(n)), "--at", 1, "--digits", 50)
 
+    coils = {n: program.file(f"coil{n}.csv", coil(n)) for n in (100, 400, 1600)}
     quintic = program.file("quintic.json", random_curve(2))
     families = [
         ("random curves, m", (20, 40, 80, 160), angles("r", random_curve)),
@@ -273,6 +282,8 @@ def growth(program):
         ("rows of `frames`", (100_001, 400_001, 1_600_001), lambda n: ("frames", quintic, "--samples", n)),
         ("points of a C² spline, `angle`", (1000, 4000, 16000), lambda n: ("angle", random_points[n], "--at", 1)),
         ("points of a C² spline, `info`", (1000, 4000, 16000), lambda n: ("info", random_points[n])),
+        ("points of a coil, `construct --kind rrmf`", (100, 400, 1600), lambda n: ("construct", coils[n], "--kind", "rrmf")),
+        ("points of a coil, `construct --kind rmf`", (100, 400, 1600), lambda n: ("construct", coils[n], "--kind", "rmf")),
     ]
     print("| | n | CPU seconds | n^… |\n|---|---|---|---|")
     marked = 0

@@ -131,7 +131,8 @@ CurveKind kind_named(const std::string& name) {
   refuse("kind", "\"" + abbreviated(name) + "\" is not one of " + names, nb::str(name.c_str()));
 }
 
-nb::object constructed(const GivenPoints& given, const ConstructQuery& query) {
+nb::object constructed(const GivenPoints& given, ConstructQuery query) {
+  query.is_measured = false;  // the path is all that is kept
   try {
     auto found = without_gil([=] { return answer(given, query); });
     return wrap(std::move(found.path));

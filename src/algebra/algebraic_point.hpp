@@ -21,6 +21,8 @@ class AlgebraicPoint {
   Real value(const RationalFunction& f) const;
   /// √f(t) ≥ 0. Throws DomainError at a pole and where f(t) < 0.
   Real square_root(const RationalFunction& f) const;
+  /// n(t)/(d(t)·√s(t)), where d(t) > 0 and s(t) > 0.
+  Real over_square_root(const Polynomial& n, const Polynomial& d, const Polynomial& s) const;
 
  private:
   RealAlgebraic t_;

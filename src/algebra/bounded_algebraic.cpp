@@ -13,6 +13,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/lattice.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -37,34 +38,26 @@ RealBall narrow(const BoundedAlgebraic& x, long bits) {
   }
 }
 
-struct IntegerMatrix {
-  fmpz_mat_t value;
-  IntegerMatrix(slong rows, slong columns) { fmpz_mat_init(value, rows, columns); }
-  ~IntegerMatrix() { fmpz_mat_clear(value); }
-  IntegerMatrix(const IntegerMatrix&) = delete;
-  IntegerMatrix& operator=(const IntegerMatrix&) = delete;
-};
-
 /// A polynomial of a degree ≤ e that is small at x for its coefficients.
 Polynomial guess(const BoundedAlgebraic& x, long e) {
   const long height = e * (1 + magnitude_bits(Rational(x.denominator)) + magnitude_bits(x.size));
   const long bits = std::min(most_lattice_bits, (e + 1) * (height + e) + 64);
   const long precision = bits + 64 + e * magnitude_bits(x.size + 1);
   const RealBall ball = narrow(x, precision);
-  IntegerMatrix lattice(e + 1, e + 2);
+  IntegerRows lattice;
   RealBall power(1, precision);
   for (long k = 0; k <= e; ++k) {
-    fmpz_one(fmpz_mat_entry(lattice.value, k, k));
+    std::vector<Integer> row(static_cast<std::size_t>(e + 2));
+    row[static_cast<std::size_t>(k)] = 1;
     RealBall scaled;
     arb_mul_2exp_si(scaled.raw(), power.raw(), bits);
-    arf_get_fmpz(fmpz_mat_entry(lattice.value, k, e + 1), arb_midref(scaled.raw()), ARF_RND_NEAR);
+    arf_get_fmpz(row.back().raw(), arb_midref(scaled.raw()), ARF_RND_NEAR);
+    lattice.push_back(std::move(row));
     power = multiply(power, ball, precision);
   }
-  fmpz_lll_t method;
-  fmpz_lll_context_init_default(method);
-  fmpz_lll(lattice.value, nullptr, method);
-  std::vector<Rational> coefficients;
-  for (long k = 0; k <= e; ++k) coefficients.emplace_back(fmpz_mat_entry(lattice.value, 0, k));
+  std::vector<Integer> shortest = reduced_basis(lattice).rows.front();
+  shortest.pop_back();
+  std::vector<Rational> coefficients(shortest.begin(), shortest.end());
   return Polynomial(coefficients);
 }
 

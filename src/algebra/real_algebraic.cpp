@@ -102,6 +102,11 @@ std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b) {
 
 int sign_at(const Polynomial& q, const RealAlgebraic& a) {
   if (const auto exact = a.rational()) return q(*exact).sign();
+  // The remainder below has longer coefficients than q.
+  for (const long bits : {64, 256}) {
+    const RealBall value = evaluate(q, enclose(a, bits), bits);
+    if (!value.contains_zero()) return value.lower().sign();
+  }
   // a is a root of q if and only if its irreducible polynomial divides q.
   const Polynomial rest = q % a.polynomial();
   if (rest.is_zero()) return 0;

@@ -275,7 +275,7 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
   if (row->obeys_law != nullptr && !row->obeys_law(found.path, data.is_closed))
     throw Error(fmt::format("construct: it is not true that {}", row->named.law));
   std::vector<ConstructionAnswer::Segment> segments;
-  for (std::size_t k = 0; k < found.path.segments().size(); ++k)
+  for (std::size_t k = 0; query.is_measured && k < found.path.segments().size(); ++k)
     segments.push_back(measured(found.path.segments()[k], found.angles.empty()
                                                               ? std::nullopt
                                                               : std::optional(found.angles[k])));

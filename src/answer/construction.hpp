@@ -51,6 +51,7 @@ struct ConstructQuery {
   /// Of the kind length: the length of each segment, or of the whole, which is shared in proportion
   /// to the chords.
   std::vector<Rational> lengths = {};
+  bool is_measured = true;  ///< are lengths and energies wanted? Else the answer has no `segments`
 };
 
 /// An exact PH curve near its data, and how near it is.

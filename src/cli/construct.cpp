@@ -73,6 +73,7 @@ ConstructQuery query(const ConstructOptions& options) {
   }
   query.is_closed = options.is_closed;
   if (options.exact_points) query.points = PointRule::exact;
+  query.is_measured = options.print != "curve";
   return query;
 }
 

@@ -1,6 +1,7 @@
 #include "phrame/algebra/algebraic_point.hpp"
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"
 
 using namespace phrame;
@@ -39,6 +40,23 @@ TEST_CASE("algebraic point: a square root is exact where it is rational") {
   CHECK(t.square_root(RationalFunction({1, 0, 0, 0, 1}, {1}))
             .enclose(100)
             .overlaps(sqrt(RealBall(3, 100), 100)));
+}
+
+// The numbers with digits are mpmath's.
+TEST_CASE("algebraic point: n/(d√s) is exact where it is rational, and has the sign of n") {
+  const AlgebraicPoint t = root_of_two(2);
+  const Polynomial x{0, 1};
+  const Polynomial one{1};
+  CHECK(t.over_square_root(x, one, {2}).exact() == 1);
+  CHECK(t.over_square_root({0, -3}, x * x, {8}).exact() == Rational(-3, 4));
+  CHECK(t.over_square_root({4, 0, -2}, one, {3}).exact() == 0);
+  CHECK(t.over_square_root({}, one, {3}).exact() == 0);
+  const Real great = t.over_square_root({1, 1}, one, {3});
+  CHECK_FALSE(great.exact().has_value());
+  CHECK(round_to_decimal(great, 40).value == "1.393846850117351797241576805403921252970");
+  CHECK(round_to_decimal(t.over_square_root({1, -1}, x, {1, 1}), 40).value ==
+        "-0.1885043923433552834310856795957412393040");
+  CHECK(AlgebraicPoint(Rational(-2)).over_square_root(x, {3}, {4}).exact() == Rational(-1, 3));
 }
 
 TEST_CASE("algebraic point: poles and roots of negative numbers are refused") {

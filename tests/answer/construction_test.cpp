@@ -145,4 +145,16 @@ TEST_CASE("construction: whatever is given, there is a curve near it or a reason
   });
 }
 
+TEST_CASE("construction: the curve is the same where its segments are not measured") {
+  GivenPoints given;
+  given.points = {{0, 0, 0}, {1, 2, 0}, {3, 1, 1}};
+  ConstructQuery query;
+  const ConstructionAnswer measured = answer(given, query);
+  query.is_measured = false;
+  const ConstructionAnswer other = answer(given, query);
+  CHECK(measured.segments.size() == 2);
+  CHECK(other.segments.empty());
+  CHECK(other.path.path == measured.path.path);
+}
+
 }  // namespace construction_test

@@ -33,9 +33,10 @@ struct Construction {
   std::vector<Rational> parameters;  ///< the parameters of the data at the ends and the joints
   std::vector<FreeAngles> angles;    ///< of quintics, those of each segment; else empty
   /// The coefficients of A are multiples of 2^−bits, but for the segments that close a spline, and
-  /// but for three kinds: those of cubics are products of two such numbers; those of septics with
+  /// but for four kinds: those of cubics are products of two such numbers; those of septics with
   /// h = 0, between the joints, are products of several, over 3; those of degree 9 also have a
-  /// quarter of the step of the parameter as a factor.
+  /// quarter of the step of the parameter as a factor; those of RRMF quintics are near such numbers
+  /// times an integer.
   long bits;
   Deviation deviation;  ///< proved: not less than the greatest distances from the data
 };

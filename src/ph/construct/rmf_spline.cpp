@@ -261,8 +261,15 @@ std::vector<double> RmfChain::Septics::step(const std::vector<double>& off) cons
 
 CubicPreimage<Rational> RmfChain::Septics::solution() {
   const Rational squared_size = norm(q_);
+  struct Tried {
+    std::vector<Rational> x;
+    CubicPreimage<Rational> member;
+    Joint end;
+  };
+  std::vector<Tried> tried;
   const ExactDefect defect = [&](const std::vector<Rational>& x) {
-    const Vector<Rational> off = integral_of(member(x)) - target_;
+    tried.push_back({x, member(x), end_});
+    const Vector<Rational> off = integral_of(tried.back().member) - target_;
     return std::vector<Rational>{off[0] / squared_size, off[1] / squared_size,
                                  off[2] / squared_size};
   };
@@ -271,7 +278,10 @@ CubicPreimage<Rational> RmfChain::Septics::solution() {
   for (const Vector<double>& b : {shape.b, shape.b_prime})
     for (const double x : b) start.push_back(exact_rational(x));
   const ParameterStep newton_step = [&](const std::vector<double>& off) { return step(off); };
-  return member(refine(std::move(start), defect, newton_step, bits_).parameters);
+  const auto found = refine(std::move(start), defect, newton_step, bits_).parameters;
+  const auto best = std::ranges::find(tried, found, &Tried::x);
+  end_ = best->end;
+  return best->member;
 }
 
 ExactFit RmfChain::piece(std::size_t k, const Vector<Rational>& target) {

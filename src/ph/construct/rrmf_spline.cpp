@@ -10,13 +10,15 @@
 #include "phrame/ph/construct/of_segment.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 #include "phrame/ph/construct/refine.hpp"
+#include "phrame/ph/construct/rrmf_joint.hpp"
 #include "phrame/ph/construct/rrmf_quintic.hpp"
 #include "phrame/ph/construct/spline_builder.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 
 // A segment is r′ = F·(A₀B) i (A₀B)*, B = (1, b, q): turned back by A₀ and in units of its step it
-// is φ·B i B*, φ = F·|A₀|², with numbers b, τ, φ of p bits. The next A₀ is A₀q, so that the
-// tangent is the same, exactly.
+// is φ·B i B*, φ = F·|A₀|². With numbers b, τ, φ of p bits it is within the tolerance, and so is
+// one near it whose numbers are short for its ends, too. The next A₀ is A₀q over a rational number,
+// so that the tangent is the same, exactly.
 
 namespace phrame::inline v0 {
 namespace {
@@ -60,21 +62,22 @@ class RrmfParameters {
 /// A segment from A₀ in the direction of d₁, to the next point.
 class RrmfSegment {
  public:
-  RrmfSegment(const RationalQuaternion& a0, const Vector<Rational>& d1, const Deviation& tolerance,
+  RrmfSegment(const RrmfJoint& start, const Vector<Rational>& d1, const Deviation& tolerance,
               SplineBuilder& builder)
-      : a0_(a0),
+      : start_(start),
+        a0_(exact(start.a, 1)),
         d1_(d1),
         tolerance_(tolerance),
         builder_(builder),
-        size_(norm(a0)),
+        size_(norm(a0_)),
         scale_(scale_for_doubles(largest(builder.wanted()))),
-        step_((scale_ / size_) * turned_back(builder.wanted(), a0)),
-        end_direction_(turned_back(d1, a0)) {}
+        step_((scale_ / size_) * turned_back(builder.wanted(), a0_)),
+        end_direction_(turned_back(d1, a0_)) {}
 
   /// Adds it; false where none is found.
   bool add();
 
-  const RationalQuaternion& end() const { return end_; }  ///< A there
+  const RrmfJoint& end() const { return end_; }
   long bits() const { return bits_; }
 
  private:
@@ -82,11 +85,12 @@ class RrmfSegment {
     return {each(step_, [bits](const Rational& x) { return rounded_to_places(x, bits); }),
             rounded_unit_preimage(end_direction_, bits)};
   }
-  bool add(const RrmfQuintic<Rational>& x, long bits);
+  bool add(const JoinedRrmf& joined, const Rational& f, long bits);
   bool add_straight(long bits);
   bool add_general(long bits);
 
-  const RationalQuaternion& a0_;
+  const RrmfJoint& start_;
+  RationalQuaternion a0_;
   const Vector<Rational>& d1_;
   const Deviation& tolerance_;
   SplineBuilder& builder_;
@@ -94,15 +98,16 @@ class RrmfSegment {
   Rational scale_;
   Vector<Rational> step_;
   Vector<Rational> end_direction_;
-  RationalQuaternion end_;
+  RrmfJoint end_;
   long bits_ = 0;
   bool is_near_ = false;  ///< was there one within the tolerance?
 };
 
 /// This one, if it is within the tolerance, and meets its point.
-bool RrmfSegment::add(const RrmfQuintic<Rational>& x, long bits) {
-  const Rational multiplier = rounded_to_bits(x.f / (size_ * scale_), bits + 4);
-  const BernsteinPreimage a{a0_, a0_ * x.b, a0_ * last_coefficient(x)};
+bool RrmfSegment::add(const JoinedRrmf& joined, const Rational& f, long bits) {
+  const Rational& size = joined.size;
+  const Rational multiplier = rounded_to_bits(f / (size * size * size_ * scale_), bits + 4);
+  const BernsteinPreimage a{size * a0_, joined.a1, joined.a2};
   const Vector<Rational> off =
       end_point(Curve(from_bernstein(a), Polynomial{multiplier})) - builder_.wanted();
   const Vector<Rational> direction = rotated_i(a[2]);
@@ -110,7 +115,7 @@ bool RrmfSegment::add(const RrmfQuintic<Rational>& x, long bits) {
              4 * squared_sine(direction, d1_) <= tolerance_.derivatives * tolerance_.derivatives;
   if (!is_near_ || !builder_.add(a, {multiplier}, MultiplierFreedom::all)) return false;
   builder_.meter().direction(direction, d1_);
-  end_ = a[2];
+  end_ = joined.end;
   bits_ = bits;
   return true;
 }
@@ -119,7 +124,7 @@ bool RrmfSegment::add(const RrmfQuintic<Rational>& x, long bits) {
 /// look for one is to look along them.
 bool RrmfSegment::add_straight(long bits) {
   const Rational length = rounded_to_places(step_[0], bits);
-  return length > 0 && end_direction_[0] > 0 && add({{1, 0, 0, 0}, 0, length}, bits);
+  return length > 0 && end_direction_[0] > 0 && add({1, a0_, a0_, start_}, length, bits);
 }
 
 bool RrmfSegment::add_general(long bits) {
@@ -142,7 +147,7 @@ bool RrmfSegment::add_general(long bits) {
   const auto accept = [&](const std::vector<Rational>& rounded, long now) {
     const RrmfQuintic<Rational> quintic = parameters.quintic(rounded);
     if (!(quintic.f > 0) || norm(last_coefficient(quintic)) == 0) return std::optional<bool>();
-    const bool is_added = add(quintic, now);
+    const bool is_added = add(joined_rrmf(start_, quintic, now), quintic.f, now);
     was_near = was_near || is_near_;
     return is_added ? std::optional(true) : std::nullopt;
   };
@@ -163,22 +168,22 @@ bool RrmfSegment::add() {
 Construction rrmf_spline(const HermiteSpline& data, const Deviation& tolerance, PointRule rule) {
   require_directions(data);
   long bits = std::max(24L, 6 - binary_exponent(tolerance.derivatives));
-  RationalQuaternion a0 = rounded_unit_preimage(data.derivatives.front(), bits);
+  RrmfJoint joint = first_joint(data.derivatives.front(), bits);
   SplineBuilder builder(data, rule);
-  builder.meter().direction(rotated_i(a0), data.derivatives.front());
+  builder.meter().direction(rotated_i(exact(joint.a, 1)), data.derivatives.front());
   Stage stage("segments", data.segments());
   for (std::size_t k = 0; k < data.segments(); ++k, stage.advance()) {
     if (data.points[k] == data.points[k + 1])
       throw DomainError(fmt::format(
           "segment {}: its ends are equal, and directions alone do not say how great it is",
           k + 1));
-    RrmfSegment segment(a0, data.derivatives[k + 1], tolerance, builder);
+    RrmfSegment segment(joint, data.derivatives[k + 1], tolerance, builder);
     if (!of_segment(k, [&] { return segment.add(); }))
       throw Undecided(fmt::format(
           "segment {}: no quintic with these ends and tangents and a rational rotation-minimizing "
           "frame was found",
           k + 1));
-    a0 = segment.end();
+    joint = segment.end();
     bits = std::max(bits, segment.bits());
   }
   return builder.finished(whole_parameters(data), bits);

@@ -6,8 +6,7 @@ namespace phrame::inline v0 {
 
 /// A G¹ spline of quintics with rational rotation-minimizing frames, of class I, exactly, near its
 /// points and the directions of its derivatives. Of each segment's quintics it is one of little
-/// energy. The law and the start fix A(1) up to a rational, so its numbers are products of those of
-/// all segments before: they get longer by the same from one to the next. `derivatives` of the
+/// energy. The numbers of all segments are about as long. `derivatives` of the
 /// tolerance and the deviation are angles between tangents. Open. Throws DomainError where a
 /// derivative is 0 or two points that follow each other are equal, Undecided where no such quintic
 /// is found. Where points are met exactly, f is of degree 2 and nearly constant; Undecided where

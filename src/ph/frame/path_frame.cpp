@@ -48,8 +48,7 @@ Vector<Real> quotient_at(const Vector<Polynomial>& v, const Polynomial& sigma, c
   return {component(0), component(1), component(2)};
 }
 
-/// By the primitive A and its g: a component of n or b is N/(σ|g|), the square root of the rational
-/// function N²/(σ²|g|²) with the sign of N.
+/// By the primitive A and its g: a component of n or b is N/(σ|g|).
 Frame<Real> algebraic_frenet_frame(const QuaternionPolynomial& a, const GaussianPolynomial& g,
                                    const Place& at) {
   const AlgebraicPoint& t = *at.algebraic;
@@ -63,9 +62,7 @@ Frame<Real> algebraic_frenet_frame(const QuaternionPolynomial& a, const Gaussian
   const Vector<Polynomial> k = rotated_k(a);
   const auto vector = [&](const Polynomial& x, const Polynomial& y) {
     const auto component = [&](std::size_t i) {
-      const Polynomial n = x * j[i] + y * k[i];
-      const Real root = t.square_root(RationalFunction(n * n, length * length * size));
-      return sign_at(n, t.number()) < 0 ? -root : root;
+      return t.over_square_root(x * j[i] + y * k[i], length, size);
     };
     return Vector<Real>{component(0), component(1), component(2)};
   };
