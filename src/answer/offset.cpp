@@ -208,7 +208,12 @@ bool are_alike(const Offset& a, std::size_t of_a, const Offset& b, std::size_t o
          is_second(a.pieces, of_a) == is_second(b.pieces, of_b);
 }
 
-constexpr long most_passes = 10'000;
+constexpr long most_levels = 10'000;
+
+[[noreturn]] void refuse_many_levels(const Rational& d) {
+  throw InputError("pocket", fmt::format("something is left at more than {} multiples of {}",
+                                         most_levels, abbreviated(to_string(d))));
+}
 
 /// The trimmed offsets at d, 2d, … until nothing is left. On the way from a point of one to the
 /// nearest point of the path, along n or U, there is a point of each before it, at the same
@@ -217,12 +222,10 @@ class Pocket {
  public:
   Pocket(const Trimming& trimming, const Rational& d, long digits)
       : trimming_(trimming), digits_(digits) {
-    if (!trimming.at(most_passes * d).branches.empty())
-      throw InputError("pocket", fmt::format("something is left at {} multiples of the distance {}",
-                                             most_passes, abbreviated(to_string(d))));
     for (Rational sum = d;; sum += d) {
       TrimmedOffset next = trimming.at(sum);
       if (next.branches.empty()) break;
+      if (levels_.size() == most_levels) refuse_many_levels(d);
       levels_.push_back(std::move(next));
     }
     if (levels_.empty()) made_.push_back({d, {}, {}});
@@ -278,6 +281,9 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
     throw DomainError("offset: the path is in no plane z = const");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
+  // Mitres may be left far outside.
+  if (query.join != OffsetJoin::mitre && !trimming.at((most_levels + 1) * d).branches.empty())
+    refuse_many_levels(d);
   return Pocket(trimming, d, query.digits).make();
 }
 

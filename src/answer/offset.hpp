@@ -126,9 +126,9 @@ struct OffsetAnswer {
 /// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
 /// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
 /// distance 0, where at all distances nothing but points is left, as trimmed_offset(), and for a
-/// pocket of an open path, at several distances, or to the outside; under a gauge as GaugeOffsets,
-/// as trimmed_offset(), and where no segment has a rational offset nor one segment a two-sided one,
-/// with the degrees of the factors of that and the field that it needs.
+/// pocket of an open path, at several distances, to the outside or of 10 001 offsets; under a gauge
+/// as GaugeOffsets, as trimmed_offset(), and where no segment has a rational offset nor one segment
+/// a two-sided one, with the degrees of the factors of that and the field that it needs.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

@@ -81,8 +81,7 @@ bool is_in_plane(const Segment& segment) {
 NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
-  options.is_for_frames = false;
-  NamedPath named = options.read_any_path();
+  NamedPath named = read_as_it_is(options);
   if (named.path.with_preimages()) return named;
   const auto& segments = named.path.segments();
   if (!std::ranges::all_of(segments, is_in_plane))
@@ -90,7 +89,8 @@ NamedPath read_curve(CurveOptions options) {
   using Kind = OffsetKind::Kind;
   const Kind kind =
       segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
-  if (kind == Kind::two_sided || kind == Kind::each_side) return named;
+  if (kind == Kind::two_sided || kind == Kind::each_side)
+    return options.read_any_path();  // which says what PH curve is near
   throw InputError(name_of_file(options.path),
                    "the path is not PH, so that its offset is not rational: with --near EPS that "
                    "of a PH path at most EPS away is taken");

@@ -514,7 +514,7 @@ NamedAnyCertificate read_any_certificate(std::string_view text, const Certificat
   const JsonNode node(document);
   node.require(Kind::object, "an object");
   WorkLimit limit(text.size(), limits.is_limited);
-  const std::string& format = node.at("phrame").string();
+  const std::string format = node.at("phrame").string();
   if (format == "path-certificate/1") return read_of_path(node, limits.curve, limit);
   if (format == "integral-certificate/1")
     return read_integral_certificate(node, limits.curve, limit);
