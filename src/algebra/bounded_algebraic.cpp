@@ -55,7 +55,7 @@ Polynomial guess(const BoundedAlgebraic& x, long e) {
     lattice.push_back(std::move(row));
     power = multiply(power, ball, precision);
   }
-  std::vector<Integer> shortest = reduced_basis(lattice).rows.front();
+  std::vector<Integer> shortest = reduced_basis(lattice).front();
   shortest.pop_back();
   std::vector<Rational> coefficients(shortest.begin(), shortest.end());
   return Polynomial(coefficients);

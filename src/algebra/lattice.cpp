@@ -1,5 +1,7 @@
 #include "phrame/algebra/lattice.hpp"
 
+#include <utility>
+
 #include "phrame/algebra/flint.hpp"
 
 namespace phrame::inline v0 {
@@ -26,20 +28,29 @@ IntegerRows rows_of(IntegerMatrix& matrix, std::size_t rows, std::size_t columns
   return result;
 }
 
-}  // namespace
-
-ReducedBasis reduced_basis(const IntegerRows& basis) {
+/// Where there is a transform, it is multiplied likewise.
+IntegerRows reduced(const IntegerRows& basis, fmpz_mat_struct* transform) {
   const std::size_t rows = basis.size();
   const std::size_t columns = basis.front().size();
   IntegerMatrix lattice(rows, columns);
-  IntegerMatrix transform(rows, rows);
-  fmpz_mat_one(transform.value);
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < columns; ++x) fmpz_set(lattice.at(y, x), basis[y][x].raw());
   fmpz_lll_t method;
   fmpz_lll_context_init_default(method);
-  fmpz_lll(lattice.value, transform.value, method);
-  return {rows_of(lattice, rows, columns), rows_of(transform, rows, rows)};
+  fmpz_lll(lattice.value, transform, method);
+  return rows_of(lattice, rows, columns);
+}
+
+}  // namespace
+
+IntegerRows reduced_basis(const IntegerRows& basis) { return reduced(basis, nullptr); }
+
+ReducedBasis reduced_basis_with_transform(const IntegerRows& basis) {
+  const std::size_t rows = basis.size();
+  IntegerMatrix transform(rows, rows);
+  fmpz_mat_one(transform.value);
+  IntegerRows found = reduced(basis, transform.value);
+  return {std::move(found), rows_of(transform, rows, rows)};
 }
 
 }  // namespace phrame

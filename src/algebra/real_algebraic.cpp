@@ -100,6 +100,12 @@ std::strong_ordering compare(const RealAlgebraic& a, const RealAlgebraic& b) {
   }
 }
 
+// a is a root of q if and only if its irreducible polynomial divides q.
+bool is_root(const Polynomial& q, const RealAlgebraic& a) {
+  if (const auto exact = a.rational()) return q(*exact) == 0;
+  return (q % a.polynomial()).is_zero();
+}
+
 int sign_at(const Polynomial& q, const RealAlgebraic& a) {
   if (const auto exact = a.rational()) return q(*exact).sign();
   // The remainder below has longer coefficients than q.
@@ -107,7 +113,6 @@ int sign_at(const Polynomial& q, const RealAlgebraic& a) {
     const RealBall value = evaluate(q, enclose(a, bits), bits);
     if (!value.contains_zero()) return value.lower().sign();
   }
-  // a is a root of q if and only if its irreducible polynomial divides q.
   const Polynomial rest = q % a.polynomial();
   if (rest.is_zero()) return 0;
   for (long bits = 64;; bits *= 2) {

@@ -75,6 +75,9 @@ PHRAME_API std::optional<Rational> rational_root(const Polynomial& p, const Rati
 
 /// −1, 0 or 1: the sign of q(a).
 PHRAME_API int sign_at(const Polynomial& q, const RealAlgebraic& a);
+/// Is q(a) = 0? By a division, where sign_at() tries balls first: for numbers that mostly are
+/// roots.
+PHRAME_API bool is_root(const Polynomial& q, const RealAlgebraic& a);
 
 /// A ball around a with a radius ≤ 2^−bits · max(1, |a|).
 PHRAME_API RealBall enclose(const RealAlgebraic& a, long bits);

@@ -81,8 +81,8 @@ bool is_in_plane(const Segment& segment) {
 NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
-  NamedPath named = read_as_it_is(options);
-  if (named.path.with_preimages()) return named;
+  const NamedPath named = read_as_it_is(options);
+  if (auto ph = with_preimages(named)) return *std::move(ph);
   const auto& segments = named.path.segments();
   if (!std::ranges::all_of(segments, is_in_plane))
     return options.read_path_with_preimages();  // which says why it is not PH

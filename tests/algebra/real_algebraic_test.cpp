@@ -138,6 +138,8 @@ TEST_CASE("real algebraic: law: the sign of a product is that of its factors") {
     const Polynomial q = random.polynomial(8);
     const Polynomial r = random.chance(4) ? a.polynomial() : random.polynomial(3);
     CHECK(sign_at(q * r, a) == sign_at(q, a) * sign_at(r, a));
+    CHECK(is_root(q * r, a) == (sign_at(q * r, a) == 0));
+    CHECK(is_root(p * q, a));
     CHECK(sign_at(q * q, a) >= 0);
     CHECK(sign_at(q * q + p * q + Polynomial{1}, a) == 1);
     const Rational t = random.rational();

@@ -149,8 +149,9 @@ TEST_CASE("--by: places of all commands are told by any parameter") {
                  "For 0 <= t <= 0.46768000073524707;"));
   CHECK(here.run("certify quintic.json --by fraction --at 1").out ==
         here.run("certify quintic.json --at 1").out);
-  check_failure(here.run("certify quintic.json --by arc-length --at 1"), 2,
-                "--by: the t of the place 1 is irrational, and this command takes t that are fractions");
+  check_failure(
+      here.run("certify quintic.json --by arc-length --at 1"), 2,
+      "--by: the t of the place 1 is irrational, and this command takes t that are fractions");
   CHECK(here.run("prove quintic.json --by fraction --at 1").out ==
         here.run("prove quintic.json --at 1").out);
   check_failure(here.run("prove quintic.json --by fraction --at 0"), 2, "--at: 0 is the start");

@@ -174,7 +174,7 @@ class PlanePath {
     if (given.is_ph) {
       const Curve& curve = *ph_curve(given.segment);
       const Vector<Rational> change = point(given.curve, 1) - point(given.curve, 0);
-    const Rational moved = largest(at_ - point(given.curve, 0));
+      const Rational moved = largest(at_ - point(given.curve, 0));
       distance_ = std::max(distance_, Rational(2 * moved * moved));
       keep({curve, change, true});
     } else if (given.is_line) {

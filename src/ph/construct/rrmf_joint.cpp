@@ -94,7 +94,7 @@ IntegerRows small_factors(std::size_t n) {
 template <class Accept>
 auto first_short_vector(const IntegerRows& basis, const IntegerRows& images, const Accept& accept)
     -> decltype(accept(basis.front(), images.front())) {
-  const ReducedBasis reduced = reduced_basis(images);
+  const ReducedBasis reduced = reduced_basis_with_transform(images);
   for (const std::vector<Integer>& factors : small_factors(basis.size()))
     if (auto found = accept(combination(combination(factors, reduced.transform), basis),
                             combination(factors, reduced.rows)))

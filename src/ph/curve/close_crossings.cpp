@@ -10,6 +10,7 @@
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/curve_arc.hpp"
+#include "phrame/ph/curve/plane_ball.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -17,12 +18,6 @@ namespace {
 constexpr long deepest = 64;
 constexpr long most_close_pairs = 4000;
 constexpr long most_pairs_of_all = 100'000;
-
-using PlaneBall = std::array<RealBall, 2>;
-
-RealBall cross(const PlaneBall& a, const PlaneBall& b, long bits) {
-  return subtract(multiply(a[0], b[1], bits), multiply(a[1], b[0], bits), bits);
-}
 
 /// An arc by its middle: its derivatives are v + h·b.
 struct ArcSlope {
@@ -47,10 +42,6 @@ ArcSlope slope_of(const PlanePosition& position, std::size_t segment, const Real
   return slope;
 }
 
-PlaneBall gap_of(const ArcSlope& a, const ArcSlope& b, long bits) {
-  return {subtract(a.point[0], b.point[0], bits), subtract(a.point[1], b.point[1], bits)};
-}
-
 /// @{ With all derivatives.
 RealBall cross(const PlaneBall& a, const ArcSlope& b, long bits) {
   return add_product(cross(a, b.v, bits), b.h, cross(a, b.b, bits), bits);
@@ -63,7 +54,7 @@ RealBall cross(const ArcSlope& a, const ArcSlope& b, long bits) {
 /// P′(s)·ds − P′(t)·dt = −gap, by Cramer's rule.
 NewtonStep newton(const ArcSlope& a, const RealBall& s, const ArcSlope& b, const RealBall& t,
                   long bits) {
-  const PlaneBall gap = gap_of(a, b, bits);
+  const PlaneBall gap = difference(a.point, b.point, bits);
   const RealBall determinant = cross(a, b, bits);
   const RealBall ds = divide(cross(gap, b, bits), determinant, bits);
   const RealBall dt = divide(cross(gap, a, bits), determinant, bits);
@@ -117,7 +108,7 @@ class CloseSearch {
   static bool are_apart(const CloseArc& a, const CloseArc& b) {
     const long bits = std::max(a.bits, b.bits);
     const PlaneBall& along = a.slope.v;
-    const PlaneBall gap = gap_of(a.slope, b.slope, bits);
+    const PlaneBall gap = difference(a.slope.point, b.slope.point, bits);
     const auto reach = [&](const CloseArc& arc) {
       return multiply(absolute(cross(along, arc.slope, bits)), RealBall(width(arc) / 2, bits),
                       bits);

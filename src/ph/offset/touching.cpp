@@ -6,25 +6,13 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/curve_arc.hpp"
+#include "phrame/ph/curve/plane_ball.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
 constexpr long touching_bits = 512;
-
-using PlaneBall = std::array<RealBall, 2>;
-
-RealBall dot(const PlaneBall& a, const PlaneBall& b) {
-  return add_product(multiply(a[0], b[0], touching_bits), a[1], b[1], touching_bits);
-}
-RealBall cross(const PlaneBall& a, const PlaneBall& b) {
-  return subtract(multiply(a[0], b[1], touching_bits), multiply(a[1], b[0], touching_bits),
-                  touching_bits);
-}
-PlaneBall difference(const PlaneBall& a, const PlaneBall& b) {
-  return {subtract(a[0], b[0], touching_bits), subtract(a[1], b[1], touching_bits)};
-}
 
 /// A curve up to its second derivative.
 struct Jet {
@@ -67,18 +55,21 @@ std::optional<std::pair<Rational, Rational>> guess(const PlanePart& a, const Pla
   for (long steps = 0; steps < most_steps; ++steps) {
     const Jet p = jet_of(a, s);
     const Jet q = jet_of(b, t);
-    const PlaneBall gap = difference(p.point, q.point);
-    const RealBall f = dot(p.velocity, gap);
-    const RealBall g = cross(p.velocity, q.velocity);
-    const RealBall fs = add(dot(p.acceleration, gap), dot(p.velocity, p.velocity), touching_bits);
-    const RealBall ft = subtract({}, dot(p.velocity, q.velocity), touching_bits);
-    const RealBall gs = cross(p.acceleration, q.velocity);
-    const RealBall gt = cross(p.velocity, q.acceleration);
+    const PlaneBall gap = difference(p.point, q.point, touching_bits);
+    const RealBall f = dot(p.velocity, gap, touching_bits);
+    const RealBall g = cross(p.velocity, q.velocity, touching_bits);
+    const RealBall fs = add(dot(p.acceleration, gap, touching_bits),
+                            dot(p.velocity, p.velocity, touching_bits), touching_bits);
+    const RealBall ft = subtract({}, dot(p.velocity, q.velocity, touching_bits), touching_bits);
+    const RealBall gs = cross(p.acceleration, q.velocity, touching_bits);
+    const RealBall gt = cross(p.velocity, q.acceleration, touching_bits);
     const PlaneBall of_s{fs, gs};
     const PlaneBall of_t{ft, gt};
-    const RealBall determinant = cross(of_s, of_t);
-    s = subtract(s, divide(cross({f, g}, of_t), determinant, touching_bits), touching_bits);
-    t = subtract(t, divide(cross(of_s, {f, g}), determinant, touching_bits), touching_bits);
+    const RealBall determinant = cross(of_s, of_t, touching_bits);
+    s = subtract(s, divide(cross({f, g}, of_t, touching_bits), determinant, touching_bits),
+                 touching_bits);
+    t = subtract(t, divide(cross(of_s, {f, g}, touching_bits), determinant, touching_bits),
+                 touching_bits);
     if (!s.is_finite() || !t.is_finite()) return std::nullopt;
     s = midpoint_of(s);
     t = midpoint_of(t);
@@ -94,11 +85,11 @@ std::optional<std::pair<Rational, Rational>> guess(const PlanePart& a, const Pla
 std::optional<RealBall> curvatures(const PlanePart& of, const PlaneBall& e) {
   const Interval all = interval_of(of.part);
   const Jet jet = jet_of(of, hull(*all.lower, *all.upper, touching_bits));
-  const int side = sign(dot(e, jet.velocity));
+  const int side = sign(dot(e, jet.velocity, touching_bits));
   if (side == 0) return std::nullopt;
-  const RealBall square = dot(jet.velocity, jet.velocity);
+  const RealBall square = dot(jet.velocity, jet.velocity, touching_bits);
   const RealBall curvature =
-      divide(cross(jet.velocity, jet.acceleration),
+      divide(cross(jet.velocity, jet.acceleration, touching_bits),
              multiply(square, sqrt(square, touching_bits), touching_bits), touching_bits);
   return side > 0 ? curvature : subtract({}, curvature, touching_bits);
 }

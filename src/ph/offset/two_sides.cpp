@@ -52,11 +52,11 @@ class TwoSides::Pair {
 
   /// Is a tangent of the path ahead of all sums of them as unit vectors?
   bool is_ahead(const PlaneBall& along) const {
-    const RealBall p = dot(along, a_);
-    const RealBall q = dot(along, b_);
+    const RealBall p = dot(along, a_, side_bits);
+    const RealBall q = dot(along, b_, side_bits);
     if (sign(p) > 0 && sign(q) > 0) return true;
     const auto over = [](const RealBall& x, const PlaneBall& e) {
-      return divide(x, sqrt(dot(e, e), side_bits), side_bits);
+      return divide(x, sqrt(dot(e, e, side_bits), side_bits), side_bits);
     };
     return sign(add(over(p, a_), over(q, b_), side_bits)) > 0;
   }
@@ -78,9 +78,6 @@ class TwoSides::Pair {
   }
 
  private:
-  static RealBall dot(const PlaneBall& a, const PlaneBall& b) {
-    return add_product(multiply(a[0], b[0], side_bits), a[1], b[1], side_bits);
-  }
   /// The tree looks along z, from where x is the second axis and −y the first one.
   static PlaneBall tangent(const CurveNode& arc, const SideFoot& foot) {
     const RealBall sign(foot.is_reversed ? -1 : 1, side_bits);
@@ -108,7 +105,7 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
   }
 }
 
-TwoSides::PlaneBall TwoSides::along(std::size_t segment, double from, double to) const {
+PlaneBall TwoSides::along(std::size_t segment, double from, double to) const {
   const RealBall all = hull(exact_sum(from, 0), exact_sum(to, 0), 2 * side_bits);
   const RealBall middle = midpoint_of(all);
   const RealBall step = subtract(all, middle, side_bits);

@@ -4,6 +4,7 @@
 
 #include "phrame/ph/curve/curve_arc.hpp"
 #include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/curve/plane_ball.hpp"
 
 namespace phrame::inline v0 {
 
@@ -26,7 +27,6 @@ class TwoSides {
   bool are_apart(const CurveNode& a, const CurveNode& b) const;
 
  private:
-  using PlaneBall = std::array<RealBall, 2>;
   class Pair;
 
   PlaneBall along(std::size_t segment, double from, double to) const;

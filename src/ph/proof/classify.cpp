@@ -21,7 +21,7 @@ void check(bool holds, std::string_view what) {
 
 bool are_all_roots(const std::vector<RealRoot>& roots, const Polynomial& p) {
   for (const RealRoot& root : roots)
-    if (sign_at(p, root.at) != 0) return false;
+    if (!is_root(p, root.at)) return false;
   return static_cast<long>(roots.size()) == count_real_roots(p, unit_interval);
 }
 
