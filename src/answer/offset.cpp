@@ -86,8 +86,9 @@ class OffsetReport {
 
   Decimal parameter(std::size_t piece, const RealBall& t) const {
     const OffsetPiece& of = offset_.pieces[piece];
-    if (of.is_join) return round_to_decimal(Real(corner(of.segment)), 12);
-    return decimal_of(add(t, RealBall(Rational(static_cast<long>(of.segment)), 64), 128));
+    if (of.is_join) return round_to_decimal(Real(corner(of.segment)), digits_);
+    return rounded_as_known(
+        add(t, RealBall(Rational(static_cast<long>(of.segment)), 64), 4 * digits_ + 64), digits_);
   }
 
   std::array<Decimal, 2> range(const CurvePart& part) const {
@@ -96,24 +97,30 @@ class OffsetReport {
   }
 
   void add_meetings(OffsetAnswer::Part& part) const {
-    const SelfIntersections found = self_intersections(offset_);
-    const auto add_meeting = [&](const Crossing& x, bool touches) {
-      const OffsetPiece& piece = offset_.pieces[x.first_segment];
+    const long bits = 4 * digits_ + 64;
+    const OffsetBranches branches = branches_of(offset_);
+    const CurveSeries series = plane_series(branches.curves, branches.behind);
+    const SelfIntersections found = self_intersections(branches, series, {});
+    const auto add_meeting = [&](std::size_t first, const RealBall& first_t, std::size_t second,
+                                 const RealBall& second_t, bool touches) {
+      const OffsetPiece& piece = offset_.pieces[first];
       const auto at = [&](std::size_t k) {
-        return decimal_of(divide(evaluate(piece.curve.numerator()[k], x.first_t, 128),
-                                 evaluate(piece.curve.weight(), x.first_t, 128), 128));
+        return rounded_as_known(divide(evaluate(piece.curve.numerator()[k], first_t, bits),
+                                       evaluate(piece.curve.weight(), first_t, bits), bits),
+                                digits_);
       };
-      part.meetings.push_back(
-          {{parameter(x.first_segment, x.first_t), piece.is_join},
-           {parameter(x.second_segment, x.second_t), offset_.pieces[x.second_segment].is_join},
-           {at(0), at(1)},
-           touches});
+      part.meetings.push_back({{parameter(first, first_t), piece.is_join},
+                               {parameter(second, second_t), offset_.pieces[second].is_join},
+                               {at(0), at(1)},
+                               touches});
     };
-    for (const Crossing& x : found.found) add_meeting(x, false);
+    for (const Crossing& x : found.found) {
+      const auto [first_t, second_t] = narrowed(series, x, bits);
+      add_meeting(x.first_segment, first_t, x.second_segment, second_t, false);
+    }
     for (const KnownMeeting& x : found.touching)
-      add_meeting(
-          {x.first_segment, enclose(x.first_t, 128), x.second_segment, enclose(x.second_t, 128), 0},
-          true);
+      add_meeting(x.first_segment, enclose(x.first_t, bits), x.second_segment,
+                  enclose(x.second_t, bits), true);
     for (const UndecidedCrossing& x : found.undecided)
       part.undecided.push_back({range(x.first), range(x.second)});
     part.is_cut_off = found.is_cut_off;

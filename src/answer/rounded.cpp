@@ -48,19 +48,27 @@ ErrorSize error_size(const Real& number, const std::string& name, long digits) {
   return {value, rounded_or_zero(x, name, std::max(digits, few), few).value};
 }
 
-Decimal decimal_of(const RealBall& x) {
-  constexpr long digits = 12;
-  const Rational middle = x.midpoint();
-  Decimal decimal = round_to_decimal(Real(middle), digits);
-  decimal.radius = upper_bound_text(x.radius() + abs(middle) * power_of_ten(1 - digits));
-  return decimal;
+Decimal rounded_as_known(const RealBall& x, long digits) {
+  const Rational lower = x.lower();
+  const Rational upper = x.upper();
+  const Rational most = std::max(abs(lower), abs(upper));
+  if (sign(lower) * sign(upper) <= 0) return {"0", upper_bound_text(most)};
+  const auto half_unit = [&](long known) -> Rational {
+    return power_of_ten(decimal_exponent(most) + 1 - known) / 2;
+  };
+  for (long known = digits; known > 0; --known) {
+    const std::string value = round_to_decimal(lower, known).value;
+    if (value == round_to_decimal(upper, known).value)
+      return {value, upper_bound_text(half_unit(known))};
+  }
+  return {round_to_decimal(x.midpoint(), 1).value, upper_bound_text(x.radius() + half_unit(1))};
 }
 
 Decimal rounded_as_known(const Real& x, const std::string& name, long digits) {
   constexpr long bits = 128;
   const RealBall near = x.exact() ? RealBall() : x.enclose(bits);
   if (x.exact() || near.is_accurate(bits / 2)) return rounded_or_zero(x, name, digits);
-  return decimal_of(near);
+  return rounded_as_known(near, digits);
 }
 
 BoundaryEnd boundary_end(const RationalCurve& curve, const Real& t, const Real& of_path,

@@ -27,8 +27,10 @@ ErrorSize error_size(const Real& number, const std::string& name, long digits);
 /// Where a curve has the parameter t, and the path another one.
 BoundaryEnd boundary_end(const RationalCurve& curve, const Real& t, const Real& of_path,
                          long digits);
-/// With 12 digits, and a radius.
-Decimal decimal_of(const RealBall& x);
+/// A number of which no more than an enclosure is known: to that many digits, or to the most to
+/// which both ends of the enclosure are rounded alike; "0" where it contains 0; one digit of its
+/// middle where the ends agree in none. The radius bounds how far the number is from what is shown.
+Decimal rounded_as_known(const RealBall& x, long digits = 10);
 /// To the digits asked for; where no enclosure is narrow, as of a cut that is undecided, as above.
 Decimal rounded_as_known(const Real& x, const std::string& name, long digits);
 

@@ -49,3 +49,21 @@ TEST_CASE("rounded: the size of an error is a number or an upper bound") {
   CHECK(bound.value.value == bound.value.radius);
   CHECK(bound.in_short == "≤ " + bound.value.radius);
 }
+
+TEST_CASE("rounded: of an enclosure, the digits in which its ends agree") {
+  const auto ball = [](const char* lower, const char* upper) {
+    return hull(parse_rational(lower), parse_rational(upper), 256);
+  };
+  const auto value = [](const RealBall& x) { return rounded_as_known(x, 12).value; };
+  CHECK(value(ball("0.12345678", "0.12345679")) == "0.1234568");
+  CHECK(value(ball("-0.12345679", "-0.12345678")) == "-0.1234568");
+  CHECK(value(ball("0.49999999999", "0.50000000001")) == "0.5000000000");
+  CHECK(value(RealBall(Rational(1, 4), 64)) == "0.250000000000");
+  CHECK(value(ball("-1e-20", "1e-30")) == "0");
+  CHECK(value(RealBall(Rational(0), 64)) == "0");
+  // No digit is known of what is between 1.4 and 1.6: its middle has one, and the radius is wide.
+  const Decimal wide = rounded_as_known(ball("1.4", "1.6"), 12);
+  CHECK(wide.value.size() == 1);
+  CHECK(parse_rational(wide.radius) >= Rational(1, 2));
+  CHECK(parse_rational(wide.radius) <= 1);
+}

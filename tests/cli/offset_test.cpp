@@ -33,6 +33,24 @@ const char* const corner = R"({"phrame": "spline/1", "segments": [
 
 }  // namespace
 
+TEST_CASE("offset: where it meets itself is told to the digits asked for") {
+  Workshop here;
+  here.write("septic.json",
+             R"({"phrame": "curve/1", "basis": "bernstein", "preimage": {"u": [2, -6, 8, -7],
+                 "v": [0, 0, 0, 0], "p": [0, 0, 0, 0], "q": [9, -9, -3, 7]}})");
+  // mpmath: findroot() of the two equations, with r by quad().
+  for (const auto& [digits, place] : {
+           std::pair("4", "t = 0.7471 and t = 0.9448: (7.536, −3.447)"),
+           std::pair("40",
+                     "t = 0.7470516722398756938390351049582295777209 and "
+                     "t = 0.9448108135501038992943214378588986202206: "
+                     "(7.535715998130268809710208550035325764693, "
+                     "−3.447385542646449385125314429376890139962)"),
+       })
+    CHECK(contains(
+        here.run(std::string("offset septic.json --distance -15 --digits ") + digits).out, place));
+}
+
 TEST_CASE("offset: cusps, lengths and self-intersections, in text and JSON") {
   const Workshop here;
   here.write("turn.json", turn);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "phrame/answer/rounded.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -41,7 +42,7 @@ std::string shown(const RealBall& x) {
   return is_tiny
              ? "0 ± " +
                    upper_bound_text(std::max(Rational(abs(x.lower())), Rational(abs(x.upper()))))
-             : shown(rounded_with_radius(x));
+             : shown(rounded_as_known(x));
 }
 
 /// The name of a kind in JSON.
@@ -212,7 +213,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
     const FrameDeviation& at = v.deviations[k];
     const auto& error = v.errors[k];
     samples.push_back({{"t", to_string(answer.frames[k].t)},
-                       {"error", error ? json_of(rounded_with_radius(*error)) : JsonOutput()},
+                       {"error", error ? json_of(rounded_as_known(*error)) : JsonOutput()},
                        {"orthogonality", upper(at.orthogonality, 2)},
                        {"length", upper(at.length, 2)},
                        {"handedness", at.handedness}});
@@ -232,7 +233,7 @@ std::string to_json(const CheckAnswer& answer, const TableReading& reading) {
       {"verdict", v.passes ? "pass" : "fail"},
       {"tolerance", to_string(answer.options.tolerance)},
       {"max_error", max_error},
-      {"drift", v.drift ? json_of(rounded_with_radius(*v.drift)) : JsonOutput()},
+      {"drift", v.drift ? json_of(rounded_as_known(*v.drift)) : JsonOutput()},
       {"orthogonality", upper(v.orthogonality, 2)},
       {"length", upper(v.length, 2)},
       {"findings", findings},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "phrame/answer/rounded.hpp"
 #include "phrame/io/write/json_text.hpp"
 #include "phrame/io/write/text.hpp"
 
@@ -97,7 +98,7 @@ std::string some_of(const std::vector<std::string>& names) {
 }
 
 JsonOutput number_json(const std::optional<RealBall>& x) {
-  return x ? json_of(rounded_with_radius(*x)) : JsonOutput();
+  return x ? json_of(rounded_as_known(*x)) : JsonOutput();
 }
 
 JsonOutput bound_json(const std::optional<Rational>& x) {

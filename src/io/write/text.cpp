@@ -120,13 +120,6 @@ std::vector<std::string> aligned(const std::vector<std::string>& texts) {
   return column;
 }
 
-Decimal rounded_with_radius(const RealBall& x) {
-  const Rational middle = x.midpoint();
-  Decimal text = round_to_decimal(middle, 10);
-  text.radius = upper_bound_text(abs(middle) / 2 * power_of_ten(-9) + x.radius());
-  return text;
-}
-
 std::string columns_text(const std::vector<std::vector<std::string>>& rows,
                          std::string_view margin) {
   std::vector<std::string> lines(rows.size(), std::string(margin));

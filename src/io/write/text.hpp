@@ -63,9 +63,6 @@ std::string shown(const FrameAngle& x);
 std::string shown(const Vector<Rational>& v);
 std::string shown(const Polynomial& p);
 /// @}
-/// "0.2858565" for a ball, and a bound of what it is off: half a unit of the tenth digit, at most,
-/// and the radius.
-Decimal rounded_with_radius(const RealBall& x);
 /// x where it is exact, and the decimal it was rounded to where it is not or is a long fraction.
 std::string shown(const Real& x, const Decimal& rounded);
 std::string shown(const Interval& interval);
