@@ -243,8 +243,8 @@ def closed():
     yield "closed: value of 20000 digits", of_writhe(value="0." + "3" * 20000)
 
 
-# Every day of every third one.
-EVERY = 1 if os.environ.get("PHRAME_LIMITS") or int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1 else 5
+# Every day one of twelve.
+EVERY = 1 if os.environ.get("PHRAME_LIMITS") or int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1 else 12
 
 
 def limit():
