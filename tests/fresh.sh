@@ -4,7 +4,7 @@
 # with LC_ALL=C and umask 077. ./dev fresh calls this as root. What is tried is the last commit.
 #
 # The stages: demo, test (once where npm is blocked, once without a pseudo-terminal), wheel, products (what is
-# installed and packaged). --ccache installs ccache there, and keeps what was compiled in build/fresh/ccache-SUITE.
+# installed and packaged); and, not by default, prove (by the Coq of that release). --ccache installs ccache there, and keeps what was compiled in build/fresh/ccache-SUITE.
 #
 # A system is in build/fresh/SUITE, the output of each step beside it; packages are kept in build/fresh/debs for the
 # next time. The mirror is the host's, or Debian's, or what PHRAME_MIRROR says.
@@ -31,7 +31,7 @@ while (($#)); do
   shift
 done
 for stage in ${stages//,/ }; do
-  [[ $stage =~ ^(demo|test|wheel|products)$ ]] || {
+  [[ $stage =~ ^(demo|test|wheel|products|prove)$ ]] || {
     echo "fresh: not a stage: $stage" >&2
     exit 1
   }
@@ -292,6 +292,10 @@ products_stage() {
   step 'root: ./dev install, run by the visitor, uninstall' install_and_run
   step 'the package where nothing else is' use_package
   step 'the package in programs of the visitor' use_library
+}
+
+prove_stage() {
+  step 'root: ./dev prove' in_clone root ./dev prove
 }
 
 for suite in "${suites[@]}"; do
