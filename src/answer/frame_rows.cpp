@@ -290,7 +290,7 @@ TableRow FrameRows::State::at(std::size_t k, const Place& at) {
     add_vector(*r);
   else
     row.add(position(path(), at));
-  const auto rmf = t ? near_.frame(*t) : std::nullopt;
+  const auto rmf = t ? near_.frame(*t, at) : std::nullopt;
   if (rmf)
     add_vector(rmf->e1);
   else

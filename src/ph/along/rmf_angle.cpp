@@ -205,6 +205,10 @@ std::optional<RealBall> RmfAngle::Parts::quick(const Rational& t) const {
   return known != nullptr ? std::optional(change(*known, 0, t, bits)) : std::nullopt;
 }
 
+const std::vector<NearPole>* RmfAngle::near_poles() const {
+  return bend() ? nullptr : parts_->near_poles();
+}
+
 const RationalFunction& RmfAngle::rate() const { return parts_->reduced().rate; }
 
 bool RmfAngle::is_zero() const { return parts_->numerator.is_zero() && !bend(); }
