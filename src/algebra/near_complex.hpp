@@ -52,8 +52,9 @@ inline double size_below(const NearComplex& z) {
 
 inline NearComplex operator+(const NearComplex& z, const NearComplex& w) {
   constexpr double rounding = 0x1p-104;  // 4u²
-  return {pairs::sum(z.re, w.re), pairs::sum(z.im, w.im),
-          (z.error + w.error + rounding * (pairs::size_above(z) + pairs::size_above(w))) * pairs::up};
+  return {
+      pairs::sum(z.re, w.re), pairs::sum(z.im, w.im),
+      (z.error + w.error + rounding * (pairs::size_above(z) + pairs::size_above(w))) * pairs::up};
 }
 
 inline NearComplex operator-(const NearComplex& z, const NearComplex& w) {
@@ -83,6 +84,8 @@ inline NearComplex inverse(const NearComplex& w) {
   return result;
 }
 
-inline NearComplex conjugate(const NearComplex& z) { return {z.re, pairs::negative(z.im), z.error}; }
+inline NearComplex conjugate(const NearComplex& z) {
+  return {z.re, pairs::negative(z.im), z.error};
+}
 
 }  // namespace phrame

@@ -27,8 +27,8 @@ struct Turns {
   Turns() : step(near_number(times_power_of_two(pi(table_bits), -5))) {
     const RealBall angle = times_power_of_two(pi(table_bits), -5);
     for (long k = 0; k < steps; ++k) {
-      const CosSin turn = phrame::cos_sin(
-          multiply(angle, RealBall(k, table_bits), table_bits), table_bits);
+      const CosSin turn =
+          phrame::cos_sin(multiply(angle, RealBall(k, table_bits), table_bits), table_bits);
       at[static_cast<std::size_t>(k)] = {near_number(turn.cos), near_number(turn.sin)};
     }
     long factorial = 1;
@@ -149,7 +149,7 @@ NearCosSin cos_sin(const NearNumber& angle) {
   return {at.cos * cos - at.sin * sin, at.sin * cos + at.cos * sin};
 }
 
-// With a logarithm L in doubles, z = e^L·(1 + δ): log z = L + δ − δ²/2, off by less than |δ|³.
+// With a logarithm L in doubles, z = e^L·(1 + δ): log z = L + δ, off by less than |δ|².
 NearComplex log(const NearComplex& z) {
   const double size = std::hypot(z.re.high, z.im.high);
   NearComplex result{{}, {}, infinite};
@@ -165,9 +165,8 @@ NearComplex log(const NearComplex& z) {
   const NearComplex delta = z * unit - NearComplex{{1}, {}};
   const double off = pairs::size_above(delta) + delta.error;
   if (!(off < 0x1p-30)) return result;
-  const NearComplex half{{-0.5}, {}};
-  result = NearComplex{{re}, {im}} + (delta + half * delta * delta);
-  result.error = (result.error + off * off * off) * pairs::up;
+  result = NearComplex{{re}, {im}} + delta;
+  result.error = (result.error + off * off) * pairs::up;
   return result;
 }
 

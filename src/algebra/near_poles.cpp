@@ -51,8 +51,9 @@ NearPolynomial derivative(const NearPolynomial& p) {
     const auto factor = static_cast<double>(k);
     const NearNumber& c = p[k];
     const DoubleDouble value = pairs::product(c.value, {factor});
-    result.push_back({value, (factor * c.error + pairs::rounding * std::abs(value.high)) * pairs::up +
-                                 pairs::least});
+    result.push_back(
+        {value,
+         (factor * c.error + pairs::rounding * std::abs(value.high)) * pairs::up + pairs::least});
   }
   return result;
 }

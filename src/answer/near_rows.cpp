@@ -143,13 +143,12 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
   if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet)
     return;
   const std::size_t rows = places.size();
-  const bool have_rotations = !is_by_length && has_frame(columns, TabulatedFrame::rmf) &&
-                              has_near_rotations(angle);
-  const bool are_many =
-      have_rotations ? are_many_near_rows(rows, angle)
-      : is_by_length || are_of_rmf(columns)
-          ? are_many_rows(rows, path, is_by_length, [&] { return angle; })
-          : static_cast<long>(rows) >= sum_over(path, rows_of_piece);
+  const bool have_rotations =
+      !is_by_length && has_frame(columns, TabulatedFrame::rmf) && has_near_rotations(angle);
+  const bool are_many = have_rotations ? are_many_near_rows(rows, angle)
+                        : is_by_length || are_of_rmf(columns)
+                            ? are_many_rows(rows, path, is_by_length, [&] { return angle; })
+                            : static_cast<long>(rows) >= sum_over(path, rows_of_piece);
   to_ = static_cast<double>(path.segments().size());
   if (are_many)
     compile(angle, start);

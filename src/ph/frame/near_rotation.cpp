@@ -45,8 +45,7 @@ NearNumber NearRotations::Segment::theta(const NearNumber& t) const {
   if (t.value.high == 0 && t.error == 0) return sum;
   const NearComplex minus_t{pairs::negative(t.value), {}, t.error};
   for (const Pole& pole : poles) {
-    const NearComplex term =
-        pole.residue * log(NearComplex{{1}, {}} + minus_t * pole.inverse);
+    const NearComplex term = pole.residue * log(NearComplex{{1}, {}} + minus_t * pole.inverse);
     sum = sum + NearNumber{twice(term.re), 2 * term.error};
   }
   return sum;
@@ -86,8 +85,8 @@ std::optional<CompiledFrames::Rotation> NearRotations::at(std::size_t segment,
     const Segment& here = this->segment(segment);
     if (!here.is_known) return std::nullopt;
     const NearNumber theta = here.theta(t);
-    const auto [c, s] = cos_sin(
-        {{theta.value.high / 2, theta.value.low / 2}, theta.error / 2 + pair_underflow});
+    const auto [c, s] =
+        cos_sin({{theta.value.high / 2, theta.value.low / 2}, theta.error / 2 + pair_underflow});
     const NearNumber u = evaluate(here.preimage.u, t);
     const NearNumber v = evaluate(here.preimage.v, t);
     const NearNumber p = evaluate(here.preimage.p, t);
@@ -124,8 +123,8 @@ std::optional<Frame<double>> NearRotations::frame(const NearNumber& t) const {
   double k = std::min(std::floor(high), static_cast<double>(segments - 1));
   if (k == high && low < 0) --k;
   const DoubleDouble here = two_sum(high - k, low);
-  const double margin = 2 * t.error;
-  if (k < 0 || !(here.high >= margin && here.high <= 1 - margin)) return std::nullopt;
+  const DoubleDouble left = two_sum(1 - here.high, -here.low);
+  if (k < 0 || !(here.high >= 2 * t.error && left.high >= 2 * t.error)) return std::nullopt;
   return frame(static_cast<std::size_t>(k), {here, t.error});
 }
 
@@ -144,8 +143,8 @@ std::optional<Frame<double>> NearRotations::by_balls(const Place& at) const {
   if (!at.t.exact()) return std::nullopt;
   const auto& a = std::get<PhSegment>(angle_.path().segments()[at.segment]).primitive_preimage();
   for (const long bits : {few_rotation_bits, rotation_bits})
-    if (auto frame = rounded_frame(
-            rotation_ball(a, *at.t.exact(), angle_.enclose(at, start_, bits))))
+    if (auto frame =
+            rounded_frame(rotation_ball(a, *at.t.exact(), angle_.enclose(at, start_, bits))))
       return frame;
   return std::nullopt;
 }
