@@ -238,8 +238,9 @@ const Antiderivative& RmfAngle::antiderivative() const {
 /// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision
 /// rises until their sum is as accurate as asked.
 RealBall RmfAngle::enclose(const Rational& t, long bits) const {
+  if (t == 0) return {};
   const auto& argument = parts_->argument;
-  if (route_ == Route::automatic && bits <= most_quick_bits && t != 0 && !is_zero())
+  if (route_ == Route::automatic && bits <= most_quick_bits && !is_zero())
     if (auto ball = parts_->quick(t); ball && ball->is_accurate(bits)) return *std::move(ball);
   const Evaluator evaluator = parts_->evaluator(route_);
   if (!argument) return evaluator.difference(0, t, bits);
