@@ -463,8 +463,8 @@ That of phrame is of the whole program, of which {duration(start)} are its start
             print(f"| {' | '.join(row)} |")
     print(f"""
 Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F,
-which is found anew; † is a quadrature by the system, where F has not been found or has no value; the values of PARI, python-flint
-and SciPy are always one. In Maxima rootsof is defined by bfallroots.""")
+which is found anew; † is a quadrature by the system, where F has not been found or has no value; the values of PARI, python-flint,
+SciPy and Numba are always one. In Maxima rootsof is defined by bfallroots.""")
 
 
 if __name__ == "__main__":

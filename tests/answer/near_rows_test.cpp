@@ -8,6 +8,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/frame/rational_frame.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
@@ -126,11 +127,18 @@ TEST_CASE("near rows: of tables too short to compile PH curves they are the exac
 // Where the frame is rational, along one segment it is found as fractions, behind many by balls,
 // and by fractions again where these do not tell a component.
 TEST_CASE("near rows: decimals along many segments with a rational frame are those along one") {
-  const Curve curve(test::class_one);
+  // Turned so that e₁, f₂ and f₃ are the axes at the end.
+  const auto rational = rational_frame(test::class_one);
+  const QuaternionPolynomial& b = std::get<RationalFrame>(rational).preimage;
+  const RationalQuaternion end = evaluate(b, 1);
+  const QuaternionPolynomial back{Polynomial{end.u}, Polynomial{-end.v}, Polynomial{-end.p},
+                                  Polynomial{-end.q}};
+  const Curve curve(back * test::class_one);
   const Path path = many_segments(curve);
   TableColumns columns{{TabulatedFrame::rmf}};
   columns.digits = 25;
   columns.have_quaternions = true;
+  columns.start = StartNormal(rotated_j(evaluate(back * b, 0)));
   std::vector<Place> along_one;
   std::vector<Place> along_many;
   for (long k = 0; k < 13; ++k)
@@ -143,6 +151,8 @@ TEST_CASE("near rows: decimals along many segments with a rational frame are tho
   for (std::size_t k = 0; k < along_one.size(); ++k)
     for (std::size_t i = 1; i < one.columns.size(); ++i)  // but for t
       CHECK(one.decimals[k][i] == many.decimals[k][i]);
+  CHECK(std::vector(many.rows.back().begin() + 4, many.rows.back().begin() + 13) ==
+        std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
 }
 
 TEST_CASE("near rows: at a corner they are those of the side that is asked for") {
