@@ -43,7 +43,8 @@ FrameSource::FrameSource(Parametrization along, FrameKind kind, std::optional<Pa
       start_(std::move(start)),
       is_of_ph_(path().is_ph() && (!angle_ || angle_->reference() == Reference::euler_rodrigues)) {
   start_.value = cached(start_.value);
-  if (is_of_ph_ && kind_ == TabulatedFrame::rmf) rotations_.emplace(*angle_, start_);
+  if (kind_ == TabulatedFrame::rmf && has_near_rotations(*angle_))
+    rotations_.emplace(*angle_, start_);
 }
 
 // A segment is compiled in some milliseconds. A frame by pairs of doubles takes two microseconds,

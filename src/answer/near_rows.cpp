@@ -116,13 +116,6 @@ bool are_many_near_rows(std::size_t rows, const PathAngle& angle) {
   return many && number >= *many;
 }
 
-/// Do doubles tell the poles of a segment in the middle?
-bool has_near_rotations(const PathAngle& angle) {
-  if (!angle.path().is_ph() || angle.reference() != Reference::euler_rodrigues) return false;
-  const RmfAngle& theta = *angle.closed_form(angle.path().segments().size() / 2);
-  return theta.is_zero() || theta.near_poles() != nullptr;
-}
-
 }  // namespace
 
 bool are_many_rows(std::size_t rows, const Path& path, bool is_by_length,

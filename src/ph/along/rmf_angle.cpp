@@ -206,7 +206,7 @@ std::optional<RealBall> RmfAngle::Parts::quick(const Rational& t) const {
 }
 
 const std::vector<NearPole>* RmfAngle::near_poles() const {
-  return bend() ? nullptr : parts_->near_poles();
+  return bend() || route_ != Route::automatic ? nullptr : parts_->near_poles();
 }
 
 const RationalFunction& RmfAngle::rate() const { return parts_->reduced().rate; }

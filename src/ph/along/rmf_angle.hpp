@@ -69,7 +69,7 @@ class PHRAME_API RmfAngle {
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits) const;
   /// The poles of θ′ above the real axis, simple ones, by pairs of doubles, where θ is the sum of
-  /// their logarithms; null where doubles do not tell them, and where there is a bend().
+  /// their logarithms; null where doubles do not tell them, with a bend(), and on other routes.
   const std::vector<NearPole>* near_poles() const;
   /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a
   /// function in ℚ(i)(t), as on curves with a rational rotation-minimizing frame [Han 2008], plane

@@ -37,6 +37,12 @@ NearNumber negative(const NearNumber& x) { return {pairs::negative(x.value), x.e
 
 }  // namespace
 
+bool has_near_rotations(const PathAngle& angle) {
+  if (!angle.path().is_ph() || angle.reference() != Reference::euler_rodrigues) return false;
+  const RmfAngle& theta = *angle.closed_form(angle.path().segments().size() / 2);
+  return theta.is_zero() || theta.near_poles() != nullptr;
+}
+
 NearRotations::NearRotations(PathAngle angle, StartAngle start)
     : angle_(std::move(angle)), start_(std::move(start)) {}
 

@@ -63,4 +63,8 @@ class NearRotations {
   mutable std::deque<Segment> segments_;  ///< those that were asked for, and all before
 };
 
+/// Is θ measured from the Euler–Rodrigues frame, and do doubles tell its poles along a segment in
+/// the middle, so that most frames have a value?
+bool has_near_rotations(const PathAngle& angle);
+
 }  // namespace phrame
