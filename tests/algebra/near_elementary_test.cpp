@@ -10,9 +10,9 @@ namespace {
 using test::for_samples;
 using test::Random;
 
-constexpr long bits = 300;
+constexpr long ball_bits = 300;
 
-Rational exact(const DoubleDouble& x) { return exact_rational(x.high) + exact_rational(x.low); }
+Rational sum_of(const DoubleDouble& x) { return exact_rational(x.high) + exact_rational(x.low); }
 
 /// A number of two doubles of about this size, known to 2^−100 or exactly.
 NearNumber any_number(Random& random, int exponent) {
@@ -24,12 +24,12 @@ NearNumber any_number(Random& random, int exponent) {
 
 /// A number that x may be, at an end of what it may be or between.
 Rational any_of(const NearNumber& x, Random& random) {
-  return exact(x.value) + exact_rational(x.error) * Rational(random.integer(-1, 1));
+  return sum_of(x.value) + exact_rational(x.error) * Rational(random.integer(-1, 1));
 }
 
 /// Is the number of the ball within what x may be?
 bool contains(const NearNumber& x, const RealBall& of) {
-  const RealBall off = absolute(subtract(of, RealBall(exact(x.value), bits), bits));
+  const RealBall off = absolute(subtract(of, RealBall(sum_of(x.value), ball_bits), ball_bits));
   return off.upper() <= exact_rational(x.error);
 }
 
@@ -41,7 +41,7 @@ TEST_CASE(
   for_samples(2000, [](Random& random) {
     const NearNumber x = any_number(random, static_cast<int>(random.integer(-60, 19)));
     const Rational at = any_of(x, random);
-    const CosSin turn = cos_sin(RealBall(at, bits), bits);
+    const CosSin turn = cos_sin(RealBall(at, ball_bits), ball_bits);
     const NearCosSin found = cos_sin(x);
     CHECK(contains(found.cos, turn.cos));
     CHECK(contains(found.sin, turn.sin));
@@ -50,7 +50,8 @@ TEST_CASE(
     const NearNumber root = inverse_root(
         {{std::abs(x.value.high), x.value.high < 0 ? -x.value.low : x.value.low}, x.error});
     if (x.value.high == 0) return;
-    CHECK(contains(root, divide(RealBall(1, bits), sqrt(RealBall(abs(at), bits), bits), bits)));
+    CHECK(contains(root, divide(RealBall(1, ball_bits),
+                                sqrt(RealBall(abs(at), ball_bits), ball_bits), ball_bits)));
     CHECK(root.error <= 0x1p-96 * root.value.high);
   });
 }
@@ -64,8 +65,9 @@ TEST_CASE(
     if (random.chance(3)) re = {{1.0, re.value.high * 0x1p-260}, 0};
     if (im.value.high == 0) return;
     const NearComplex z{re.value, im.value, re.error + im.error};
-    const ComplexBall truth =
-        log(ComplexBall(RealBall(exact(re.value), bits), RealBall(exact(im.value), bits)), bits);
+    const ComplexBall truth = log(
+        ComplexBall(RealBall(sum_of(re.value), ball_bits), RealBall(sum_of(im.value), ball_bits)),
+        ball_bits);
     const NearComplex found = log(z);
     REQUIRE(std::isfinite(found.error));
     CHECK(contains({found.re, found.error}, truth.re()));

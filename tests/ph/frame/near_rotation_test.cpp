@@ -13,18 +13,18 @@ using test::Random;
 
 namespace {
 
-Frame<double> rounded(const Frame<Real>& frame) {
+Frame<double> nearest_frame(const Frame<Real>& frame) {
   return {round_to_double(frame.e1), round_to_double(frame.e2), round_to_double(frame.e3)};
 }
 
-bool is_same(const Frame<double>& a, const Frame<double>& b) {
+bool are_same(const Frame<double>& a, const Frame<double>& b) {
   return a.e1 == b.e1 && a.e2 == b.e2 && a.e3 == b.e3;
 }
 
-Rational exact(const DoubleDouble& x) { return exact_rational(x.high) + exact_rational(x.low); }
+Rational sum_of(const DoubleDouble& x) { return exact_rational(x.high) + exact_rational(x.low); }
 
 /// Coefficients times 10ᵏ, which leave the frames alone.
-Curve scaled(const Curve& curve, unsigned long k) {
+Curve times_power_of_ten(const Curve& curve, unsigned long k) {
   const Rational c(pow(Integer(10), k));
   const auto& [u, v, p, q] = curve.preimage();
   return Curve({c * u, c * v, c * p, c * q});
@@ -38,7 +38,7 @@ TEST_CASE("near rotations: law: the quaternion contains that of balls") {
   for_samples(200, [&](Random& random) {
     const Curve of_small = random.curve(4);
     if (is_zero(of_small.preimage())) return;
-    const Curve curve = random.chance(3) ? scaled(of_small, 70) : of_small;
+    const Curve curve = random.chance(3) ? times_power_of_ten(of_small, 70) : of_small;
     const Rational t(random.integer(-(1 << 20), 1 << 21), random.integer(1 << 19, 1 << 20));
     const Angle start(random.rational());
     const PathAngle angle{Path(curve)};
@@ -51,7 +51,7 @@ TEST_CASE("near rotations: law: the quaternion contains that of balls") {
     RealBall squares;
     for (const auto& [x, y] : {std::pair{b.u, rotation->b.u}, std::pair{b.v, rotation->b.v},
                                std::pair{b.p, rotation->b.p}, std::pair{b.q, rotation->b.q}}) {
-      const RealBall off = subtract(x, RealBall(exact(y), bits), bits);
+      const RealBall off = subtract(x, RealBall(sum_of(y), bits), bits);
       squares = add_product(squares, off, off, bits);
     }
     CHECK(squares.upper() <= exact_rational(rotation->error) * exact_rational(rotation->error));
@@ -71,12 +71,13 @@ TEST_CASE("near rotations: law: frames along a path are those of fractions, roun
     for (const Rational& t :
          {Rational(random.integer(0, 3000), 1000), Rational(1), Rational(2), Rational(3),
           Rational(1 - power_of_two(-70)), Rational(2 + power_of_two(-60))}) {
-      const Frame<double> exact = rounded(rotation_minimizing_frame(angle, locate(path, t), start));
+      const Frame<double> exact =
+          nearest_frame(rotation_minimizing_frame(angle, locate(path, t), start));
       if (const auto frame = rotations.frame(near_number(t))) {
         ++told;
-        CHECK(is_same(*frame, exact));
+        CHECK(are_same(*frame, exact));
       }
-      if (const auto frame = rotations.by_balls(locate(path, t))) CHECK(is_same(*frame, exact));
+      if (const auto frame = rotations.by_balls(locate(path, t))) CHECK(are_same(*frame, exact));
     }
   });
   CHECK(told > 100);
@@ -111,5 +112,5 @@ TEST_CASE("near rotations: a double pole is left to balls") {
   const Place at{0, Rational(2, 7)};
   const auto frame = rotations.by_balls(at);
   REQUIRE(frame);
-  CHECK(is_same(*frame, rounded(rotation_minimizing_frame(angle, at, StartAngle()))));
+  CHECK(are_same(*frame, nearest_frame(rotation_minimizing_frame(angle, at, StartAngle()))));
 }
