@@ -1,4 +1,4 @@
-"""phrame beside the integrators of SymPy, Maxima, FriCAS and Giac and the quadratures of PARI/GP, python-flint and SciPy, on the
+"""phrame beside the integrators of SymPy, Maxima, FriCAS and Giac and the quadratures of PARI/GP, python-flint, SciPy and Numba, on the
 curves of curves.cpp.
 
 `./dev bench --peers` runs it with the program that it has built. It prints two tables: the CPU time to a closed form of the
@@ -239,8 +239,42 @@ class SciPy(OfPolynomials):
                                      "setup": "quad(lambda t: t, 0, 1)"}
 
 
+class Numba(OfPolynomials):
+    """In doubles, what a program of one's own does: Gauss's rule of seven points on 1, 2, 4, … parts, compiled, until two sums agree."""
+    name, package = "Numba", "numba"
+    value = "G = integral(n, d)", "print('@value', repr(float(G)))"
+    script = OfPolynomials.script % {"imports": "import numpy as np\nfrom numba import njit", "setup": """
+nodes, weights = np.polynomial.legendre.leggauss(7)
+n, d = np.array(n, dtype=float), np.array(d, dtype=float)
+
+@njit
+def at(p, t):
+    value = 0.0
+    for c in p[::-1]:
+        value = value * t + c
+    return value
+
+@njit
+def integral(n, d):
+    last, parts = np.inf, 1
+    while parts < 2 ** 20:
+        total = 0.0
+        for k in range(parts):
+            for j in range(len(nodes)):
+                t = (k + 0.5 + 0.5 * nodes[j]) / parts
+                total += weights[j] * at(n, t) / at(d, t)
+        total /= 2 * parts
+        if abs(total - last) <= 1e-13 * abs(total):
+            break
+        last, parts = total, 2 * parts
+    return total
+
+integral(n, d)
+"""}
+
+
 SYSTEMS = {"sympy": SymPy, "sympy-complex": ComplexSymPy, "maxima": Maxima, "fricas": FriCAS, "fricas-sum": SummingFriCAS,
-           "giac": Giac, "pari": PARI, "python-flint": PythonFlint, "scipy": SciPy}
+           "giac": Giac, "pari": PARI, "python-flint": PythonFlint, "scipy": SciPy, "numba": Numba}
 
 
 class Failed(Exception):
@@ -429,8 +463,8 @@ That of phrame is of the whole program, of which {duration(start)} are its start
             print(f"| {' | '.join(row)} |")
     print(f"""
 Of {DIGITS} digits those are counted that are phrame's, to a unit of the last. The value is F(1) − F(0) from the closed form F,
-which is found anew; † is a quadrature by the system, where F has not been found or has no value; the values of PARI, python-flint
-and SciPy are always one. In Maxima rootsof is defined by bfallroots.""")
+which is found anew; † is a quadrature by the system, where F has not been found or has no value; the values of PARI, python-flint,
+SciPy and Numba are always one. In Maxima rootsof is defined by bfallroots.""")
 
 
 if __name__ == "__main__":

@@ -43,6 +43,14 @@ FrameSource::FrameSource(Parametrization along, FrameKind kind, std::optional<Pa
       start_(std::move(start)),
       is_of_ph_(path().is_ph() && (!angle_ || angle_->reference() == Reference::euler_rodrigues)) {
   start_.value = cached(start_.value);
+  if (kind_ == TabulatedFrame::rmf && has_near_rotations(*angle_))
+    rotations_.emplace(*angle_, start_);
+}
+
+// A segment is compiled in some milliseconds. A frame by pairs of doubles takes two microseconds,
+// by balls ten.
+std::size_t FrameSource::least_of_frames() const {
+  return rotations_ ? least_of_near_frames : least_of_ball_frames;
 }
 
 const std::optional<RoundedPoint>& FrameSource::rounded_point(std::size_t segment) const {
@@ -121,7 +129,7 @@ void FrameSource::compile(std::size_t k, double from, double to) {
 void FrameSource::prepare_curve(const std::vector<double>& ts) {
   Piece& only = pieces_.front();
   only.asked += ts.size();
-  if (only.asked < least_of_frames) return;
+  if (only.asked < least_of_frames()) return;
   const auto [from, to] = std::minmax_element(ts.begin(), ts.end());
   const CompiledFrames* known = only.compiled;
   if (known != nullptr && known->from() <= *from && *to <= known->to()) return;
@@ -141,7 +149,7 @@ void FrameSource::prepare(const Parameters& at) {
     prepare_curve(at.doubles);
     return;
   }
-  const std::size_t least = is_of_ph_ ? least_of_frames : least_compiled;
+  const std::size_t least = is_of_ph_ ? least_of_frames() : least_compiled;
   for (const double t : at.doubles) {
     const std::size_t k = place_at(t, pieces_.size()).first;
     Piece& piece = pieces_[k];
@@ -168,7 +176,7 @@ void FrameSource::make_few() {
 
 bool FrameSource::is_prepared(const Parameters& at) {
   if (!at.are_doubles() || along_.kind() != ParameterKind::t) return false;
-  constexpr std::size_t few = 16;
+  const std::size_t few = rotations_ ? 256 : 16;
   const bool are_few = at.size() <= few && are_by_preimage();
   if (are_few && !is_made_) make_few();
   if (!is_made_) return false;
@@ -177,7 +185,7 @@ bool FrameSource::is_prepared(const Parameters& at) {
     if (!kind_) return rounded_point(segment).has_value();
     const Piece& piece = pieces_[segment];
     if (compiled_at(t, piece) != nullptr) return true;
-    return are_few && (piece.is_undecided || ++piece.asked < least_of_frames);
+    return are_few && (piece.is_undecided || ++piece.asked < least_of_frames());
   };
   return std::all_of(at.doubles.begin(), at.doubles.end(), is_ready);
 }
@@ -188,7 +196,7 @@ std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
   const auto [number, here] = place_at(t, pieces_.size());
   const Piece& piece = pieces_[number];
   const CompiledFrames* compiled = compiled_at(t, piece);
-  if (compiled == nullptr) return std::nullopt;
+  if (compiled == nullptr) return rotations_ ? rotations_->frame(number, {{here}}) : std::nullopt;
   const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : 1;
   auto frame = side == 0 ? std::nullopt : compiled->rounded(t);
   if (frame && side < 0)
@@ -280,8 +288,11 @@ std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(doubl
   const auto [number, here] = place_at(t, pieces_.size());
   const Piece& piece = pieces_[number];
   const CompiledFrames* compiled = compiled_at(t, piece);
-  if (compiled == nullptr) return std::nullopt;
-  auto found = compiled->rotation(t);
+  auto near = compiled != nullptr ? std::optional(compiled->rotation(t))
+              : rotations_        ? rotations_->at(number, {{here}})
+                                  : std::nullopt;
+  if (!near) return std::nullopt;
+  CompiledFrames::Rotation& found = *near;
   const auto [u, v, p, q] = found.b;
   const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : piece.sign;
   if (side == 0) return std::nullopt;

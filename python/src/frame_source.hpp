@@ -76,7 +76,8 @@ class FrameSource {
   /// To be called before the others are asked for these parameters.
   void prepare(const Parameters& at);
   /// Has prepare() nothing left to do, and is hardly a frame computed exactly? A few frames are as
-  /// soon done by balls as another thread is woken; they are counted for prepare().
+  /// soon done by pairs of doubles or balls as another thread is woken; they are counted for
+  /// prepare().
   bool is_prepared(const Parameters& at);
 
   Frame<double> frame(const Parameters& at, std::size_t k) const;
@@ -106,6 +107,8 @@ class FrameSource {
   void prepare_curve(const std::vector<double>& ts);
   const CompiledFrames* compiled_at(double t, const Piece& piece) const;
   std::optional<Frame<double>> approximated_frame(double t) const;
+  /// So many frames of a segment are asked for before it pays to compile it.
+  std::size_t least_of_frames() const;
   std::optional<CompiledFrames::Rotation> approximated_rotation(double t) const;
   Frame<Real> exact_frame(const Place& at) const;
   /// B = A/|A|·e^{iφ}, φ half of θ + start, with the sign that makes it continuous; of other frames
@@ -118,6 +121,7 @@ class FrameSource {
   FrameKind kind_;
   std::optional<PathAngle> angle_;
   StartAngle start_;
+  std::optional<NearRotations> rotations_;  ///< of rotation-minimizing frames of PH curves
   bool is_of_ph_;    ///< PH curves, with angles to the Euler–Rodrigues frame
   std::mutex lock_;  ///< while something is made or compiled
   std::atomic<bool> is_made_{false};

@@ -30,5 +30,6 @@
 #include "phrame/io/write/cas_script.hpp"
 #include "phrame/io/write/page.hpp"
 #include "phrame/ph/frame/compiled_frame_rotation.hpp"
+#include "phrame/ph/frame/near_rotation.hpp"
 #include "phrame/ph/frame/rotation_ball.hpp"
 #include "phrame/ph/sweep/mesh_numbers.hpp"

@@ -53,10 +53,11 @@ inline Vector<double> finite(Vector<double> r) {
 
 /// @{ Below so many, to approximate first takes longer: of angles, of those of each segment of a
 /// spline, whose coefficients are longer, and of frames of PH curves, of which one takes 10 to 100
-/// µs by balls and the polynomials some 300 times as long.
+/// µs by balls, 2 to 10 µs by pairs of doubles, and the polynomials 5 ms or more.
 constexpr std::size_t least_compiled = 16;
 constexpr std::size_t least_of_segment = 64;
-constexpr std::size_t least_of_frames = 256;
+constexpr std::size_t least_of_ball_frames = 256;
+constexpr std::size_t least_of_near_frames = 4096;
 /// @}
 
 }  // namespace phrame::python

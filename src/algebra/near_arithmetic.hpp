@@ -32,12 +32,12 @@ inline NearNumber operator*(const NearNumber& a, const NearNumber& b) {
 }
 
 /// Between these doubles is a number ≥ 0.
-struct SizeBounds {
+struct NearBounds {
   double lower = 0;
   double upper = 0;
 };
 
-inline SizeBounds size_bounds(const NearNumber& x) {
+inline NearBounds size_bounds(const NearNumber& x) {
   const double error = raised(x.error);
   return {std::fmax(0, size_of(x) * (1 - 0x1p-50) - error * (1 + 0x1p-50)),
           (size_of(x) + error) * (1 + 0x1p-50)};
@@ -49,19 +49,19 @@ inline bool is_positive(const NearNumber& x) {
 }
 
 /// Not finite where b may be 0.
-inline SizeBounds quotient(const SizeBounds& a, const SizeBounds& b) {
+inline NearBounds quotient(const NearBounds& a, const NearBounds& b) {
   return {a.lower / b.upper * (1 - 0x1p-50), a.upper / b.lower * (1 + 0x1p-50)};
 }
 
-inline SizeBounds product(const SizeBounds& a, const SizeBounds& b) {
+inline NearBounds product(const NearBounds& a, const NearBounds& b) {
   return {a.lower * b.lower * (1 - 0x1p-50), a.upper * b.upper * (1 + 0x1p-50)};
 }
 
-inline SizeBounds root(const SizeBounds& x) {
+inline NearBounds root(const NearBounds& x) {
   return {std::sqrt(x.lower) * (1 - 0x1p-50), std::sqrt(x.upper) * (1 + 0x1p-50)};
 }
 
-inline SizeBounds greater(const SizeBounds& a, const SizeBounds& b) {
+inline NearBounds greater(const NearBounds& a, const NearBounds& b) {
   return {std::fmax(a.lower, b.lower), std::fmax(a.upper, b.upper)};
 }
 

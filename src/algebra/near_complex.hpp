@@ -24,7 +24,7 @@ struct NearComplex {
 // 2^−102·|z||w|. What underflows in it adds less than 2^−1000. Bounds are computed from terms ≥ 0,
 // of which each operation rounds by u: `up` covers a hundred of them.
 
-namespace near {
+namespace pairs {
 
 inline constexpr double up = 1 + 0x1p-46;
 inline constexpr double down = 1 - 0x1p-46;
@@ -48,25 +48,26 @@ inline double size_below(const NearComplex& z) {
          z.error * up;
 }
 
-}  // namespace near
+}  // namespace pairs
 
 inline NearComplex operator+(const NearComplex& z, const NearComplex& w) {
   constexpr double rounding = 0x1p-104;  // 4u²
-  return {near::sum(z.re, w.re), near::sum(z.im, w.im),
-          (z.error + w.error + rounding * (near::size_above(z) + near::size_above(w))) * near::up};
+  return {
+      pairs::sum(z.re, w.re), pairs::sum(z.im, w.im),
+      (z.error + w.error + rounding * (pairs::size_above(z) + pairs::size_above(w))) * pairs::up};
 }
 
 inline NearComplex operator-(const NearComplex& z, const NearComplex& w) {
-  return z + NearComplex{near::negative(w.re), near::negative(w.im), w.error};
+  return z + NearComplex{pairs::negative(w.re), pairs::negative(w.im), w.error};
 }
 
 inline NearComplex operator*(const NearComplex& z, const NearComplex& w) {
-  const double a = near::size_above(z);
-  const double b = near::size_above(w);
+  const double a = pairs::size_above(z);
+  const double b = pairs::size_above(w);
   return {
-      near::sum(near::product(z.re, w.re), near::negative(near::product(z.im, w.im))),
-      near::sum(near::product(z.re, w.im), near::product(z.im, w.re)),
-      (a * w.error + (b + w.error) * z.error + near::rounding * a * b) * near::up + near::least};
+      pairs::sum(pairs::product(z.re, w.re), pairs::negative(pairs::product(z.im, w.im))),
+      pairs::sum(pairs::product(z.re, w.im), pairs::product(z.im, w.re)),
+      (a * w.error + (b + w.error) * z.error + pairs::rounding * a * b) * pairs::up + pairs::least};
 }
 
 /// 1/w = q·(1 + r + r²/(1 − r)) with r = 1 − w·q, q the quotient in doubles.
@@ -75,14 +76,16 @@ inline NearComplex inverse(const NearComplex& w) {
   const NearComplex quotient{{q.real()}, {q.imag()}};
   const NearComplex one{{1}, {}};
   const NearComplex rest = one - w * quotient;
-  const double r = near::size_above(rest) + rest.error;
+  const double r = pairs::size_above(rest) + rest.error;
   NearComplex result = quotient + quotient * rest;
-  result.error += near::size_above(quotient) * (r * r) * 2 + near::least;
-  result.error *= near::up;
+  result.error += pairs::size_above(quotient) * (r * r) * 2 + pairs::least;
+  result.error *= pairs::up;
   if (!(r < 0.25)) result.error = INFINITY;
   return result;
 }
 
-inline NearComplex conjugate(const NearComplex& z) { return {z.re, near::negative(z.im), z.error}; }
+inline NearComplex conjugate(const NearComplex& z) {
+  return {z.re, pairs::negative(z.im), z.error};
+}
 
 }  // namespace phrame

@@ -20,6 +20,12 @@ using NearPolynomial = std::vector<NearNumber>;  // ascending
 constexpr long most_degree = 63;
 constexpr double greatest = 0x1p200;  // of coefficients; products of many stay far from overflow
 
+/// About the binary exponent of the greatest coefficient of d ≠ 0.
+long size_exponent(const Polynomial& d) {
+  return std::abs(_fmpz_vec_max_bits(d.raw()->coeffs, d.raw()->length)) -
+         static_cast<long>(fmpz_bits(d.raw()->den));
+}
+
 /// No value where a coefficient is too large for doubles.
 std::optional<NearPolynomial> near_polynomial(const Polynomial& p) {
   const auto coefficient = [&](long k) -> NearNumber {
@@ -44,9 +50,10 @@ NearPolynomial derivative(const NearPolynomial& p) {
   for (std::size_t k = 1; k < p.size(); ++k) {
     const auto factor = static_cast<double>(k);
     const NearNumber& c = p[k];
-    const DoubleDouble value = near::product(c.value, {factor});
-    result.push_back({value, (factor * c.error + near::rounding * std::abs(value.high)) * near::up +
-                                 near::least});
+    const DoubleDouble value = pairs::product(c.value, {factor});
+    result.push_back(
+        {value,
+         (factor * c.error + pairs::rounding * std::abs(value.high)) * pairs::up + pairs::least});
   }
   return result;
 }
@@ -94,15 +101,15 @@ std::vector<NearComplex> points_above(const NearPolynomial& d, const NearPolynom
 
 /// Gives each point the radius of its disc; false where they are not apart.
 bool enclose(std::vector<NearComplex>& points, const NearPolynomial& d) {
-  const double leading = std::abs(d.back().value.high) * near::down - d.back().error * near::up;
+  const double leading = std::abs(d.back().value.high) * pairs::down - d.back().error * pairs::up;
   std::vector<double> radii;
   for (const NearComplex& z : points) {
     const NearComplex value = evaluate(d, z);
     double radius =
-        static_cast<double>(d.size() - 1) * (near::size_above(value) + value.error) / leading;
+        static_cast<double>(d.size() - 1) * (pairs::size_above(value) + value.error) / leading;
     double nearest = INFINITY;
     const auto divide_by_distance = [&](const NearComplex& other) {
-      const double distance = near::size_below(z - other);
+      const double distance = pairs::size_below(z - other);
       radius /= distance;
       nearest = std::min(nearest, distance);
       return distance > 0 && radius > 0x1p-900 && radius < 0x1p900;
@@ -110,7 +117,7 @@ bool enclose(std::vector<NearComplex>& points, const NearPolynomial& d) {
     for (const NearComplex& other : points)
       if ((&other != &z && !divide_by_distance(other)) || !divide_by_distance(conjugate(other)))
         return false;
-    radius *= near::up;
+    radius *= pairs::up;
     // So that a square around it is apart from the others, too.
     if (!(16 * radius < nearest)) return false;
     radii.push_back(radius);
@@ -145,7 +152,14 @@ std::optional<std::vector<NearPole>> found(const Polynomial& n, const Polynomial
 
 std::optional<std::vector<NearPole>> near_poles(const Polynomial& n, const Polynomial& d) {
   if (d.degree() < 2 || d.degree() > most_degree) return std::nullopt;
-  return rounding_to_nearest([&] { return found(n, d); });
+  return rounding_to_nearest([&] {
+    // n and d times one number have the same poles and residues.
+    constexpr long usual = 150;
+    const long size = size_exponent(d);
+    if (std::abs(size) <= usual) return found(n, d);
+    const Rational scale = power_of_two(-size);
+    return found(scale * n, scale * d);
+  });
 }
 
 namespace {
@@ -158,7 +172,7 @@ struct DoubleBounds {
   explicit DoubleBounds(const RealBall& x) {
     const double middle = approximate(x);
     const double radius =
-        mag_get_d(arb_radref(x.raw())) * near::up + std::abs(middle) * 0x1p-51 + 0x1p-1070;
+        mag_get_d(arb_radref(x.raw())) * pairs::up + std::abs(middle) * 0x1p-51 + 0x1p-1070;
     least = middle - radius;
     most = middle + radius;
   }

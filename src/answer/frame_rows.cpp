@@ -105,6 +105,8 @@ class FrameRows::State {
   const Path& path() const { return angle_.path(); }
   const Frame<Real>& erf(const Place& at);
   const Frame<Real>& rmf(const Place& at);
+  bool has_long_fractions(const Place& at) const;
+  TableRow row(std::size_t k, const Place& at);
   const SignedFrenet& signed_frenet();
   Frame<Real> frame(TabulatedFrame kind, const Place& at);
   Frame<Real> unrolled(TabulatedFrame kind, const Place& at);
@@ -129,6 +131,7 @@ class FrameRows::State {
   NearRows near_;
   std::optional<Frame<Real>> erf_;  ///< of this row, once it is found
   std::optional<Frame<Real>> rmf_;  ///< likewise
+  bool is_by_balls_ = false;        ///< the rotation-minimizing frame, even where it is rational
   std::optional<SignedFrenet> signed_frenet_;
   std::string reason_;
 };
@@ -164,7 +167,23 @@ const Frame<Real>& FrameRows::State::erf(const Place& at) {
   return *erf_;
 }
 
+/// Is the rotation-minimizing frame there a product of rational ones of many segments?
+bool FrameRows::State::has_long_fractions(const Place& at) const {
+  constexpr std::size_t many_segments = 8;
+  return at.segment >= many_segments && at.t.exact() && start_.exact &&
+         angle_.reference() == Reference::euler_rodrigues && !angle_.is_zero() &&
+         angle_.direction({0, Rational(1)});
+}
+
 const Frame<Real>& FrameRows::State::rmf(const Place& at) {
+  if (!rmf_ && is_by_balls_) {
+    const Real theta([this, at](long bits) {
+      constexpr long most_bits = 1024;
+      if (bits > most_bits) throw Undecided("by balls");
+      return angle_.enclose(at, start_, bits);
+    });
+    rmf_ = turned(erf(at), theta);
+  }
   if (!rmf_)
     rmf_ = angle_.reference() == Reference::euler_rodrigues
                ? rotation_minimizing_frame(angle_, at, start_, erf(at))
@@ -274,7 +293,21 @@ Real FrameRows::State::scalar(TabulatedScalar kind, const Place& at) {
       ->at(at);
 }
 
+// Exact fractions of such a frame are as long as those of all segments before together, and are
+// needed only where balls leave a rounding open, as that of a component 0 or ±1.
 TableRow FrameRows::State::at(std::size_t k, const Place& at) {
+  is_by_balls_ = has_long_fractions(at);
+  if (is_by_balls_) {
+    try {
+      return row(k, at);
+    } catch (const Undecided&) {
+      is_by_balls_ = false;
+    }
+  }
+  return row(k, at);
+}
+
+TableRow FrameRows::State::row(std::size_t k, const Place& at) {
   const std::optional<NearNumber> t = near_.parameter(k);
   const std::optional<Rational> s = places_.arc_length(k);
   reason_.clear();
@@ -290,7 +323,7 @@ TableRow FrameRows::State::at(std::size_t k, const Place& at) {
     add_vector(*r);
   else
     row.add(position(path(), at));
-  const auto rmf = t ? near_.frame(*t) : std::nullopt;
+  const auto rmf = t ? near_.frame(*t, at) : std::nullopt;
   if (rmf)
     add_vector(rmf->e1);
   else

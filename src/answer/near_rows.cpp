@@ -73,36 +73,59 @@ long usually_many(const Path& path, bool is_by_length) {
   return is_by_length ? sum_over(path, rows_of_piece) / 8 : sum_over(path, rows_of_rmf_piece);
 }
 
+/// Rows that a piece along this segment pays for, where it is one of few.
+long rows_of_few(const Segment& segment) {
+  const Curve* curve = ph_curve(segment);
+  return curve != nullptr ? rows_in(24 + 2 * preimage_degree(*curve), *curve) + 1 : 16;
+}
+
 /// The same for a path of at least three segments, if in all of them the frame turns as little as
-/// in three; no number where these are not compiled.
-std::optional<long> many_as_in_three(const PathAngle& angle, bool is_by_length) {
+/// in three, and a piece pays for so many rows; no number where these are not compiled.
+std::optional<long> many_as_in_three(const PathAngle& angle, long (*rows_of_one)(const Segment&)) {
   const auto& segments = angle.path().segments();
   const std::size_t n = segments.size();
   long pieces = 0;
-  long rows_of_one = 0;
+  long rows = 0;
   for (const std::size_t k : {n / 6, n / 2, n - 1 - n / 6}) {
     const auto rotation =
         where_compiled([&] { return compiled_rotation(angle, k, {}, compensated_shape(4)); });
     if (!rotation) return std::nullopt;
     pieces += static_cast<long>(rotation->pieces().size());
-    const Curve* curve = ph_curve(segments[k]);
-    const long rows_here = curve ? rows_in(24 + 2 * preimage_degree(*curve), *curve) + 1 : 16;
-    rows_of_one = std::max(rows_of_one, rows_here);
+    rows = std::max(rows, rows_of_one(segments[k]));
   }
-  return static_cast<long>(n) * pieces * rows_of_one / (is_by_length ? 9 : 3);
+  return static_cast<long>(n) * pieces * rows / 3;
+}
+
+constexpr std::size_t many_segments = 16;
+
+/// Beside rows by NearRotations, of some microseconds, a random curve is compiled for so many, and
+/// one piece for so many.
+long rows_of_near_segment(const Segment& segment) {
+  return 2500 + 250 * preimage_degree(*ph_curve(segment));
+}
+long rows_of_near_piece(const Segment&) { return 200; }
+
+/// Does it pay to compile the path for so many rows, if they may be by NearRotations?
+bool are_many_near_rows(std::size_t rows, const PathAngle& angle) {
+  const Path& path = angle.path();
+  const auto number = static_cast<long>(rows);
+  const std::size_t segments = path.segments().size();
+  if (number >= sum_over(path, rows_of_near_segment)) return true;
+  if (segments < many_segments || number < sum_over(path, rows_of_near_piece)) return false;
+  const auto many = many_as_in_three(angle, rows_of_near_piece);
+  return many && number >= *many;
 }
 
 }  // namespace
 
 bool are_many_rows(std::size_t rows, const Path& path, bool is_by_length,
                    const std::function<PathAngle()>& angle) {
-  constexpr std::size_t many_segments = 16;
   const auto number = static_cast<long>(rows);
   if (number >= usually_many(path, is_by_length)) return true;
   const std::size_t segments = path.segments().size();
   if (segments < many_segments || rows < segments) return false;
-  const auto many = many_as_in_three(angle(), is_by_length);
-  return many && number >= *many;
+  const auto many = many_as_in_three(angle(), rows_of_few);
+  return many && (is_by_length ? 3 * number : number) >= *many;
 }
 
 NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const StartAngle& start,
@@ -113,17 +136,29 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
   if (columns.digits > 0 || !columns.roll.is_zero() || angle.reference() == Reference::frenet)
     return;
   const std::size_t rows = places.size();
-  if (is_by_length || are_of_rmf(columns)
-          ? !are_many_rows(rows, path, is_by_length, [&] { return angle; })
-          : static_cast<long>(rows) < sum_over(path, rows_of_piece))
-    return;
-  const bool has_length = !columns.scalars.empty() && are_lengths(columns);
-  if (places.is_by_length() || has_length)
-    length_ = where_compiled([&] { return CompiledLength(path); });
-  if (places.is_by_length() && !length_) return;
+  const bool have_rotations =
+      !is_by_length && has_frame(columns, TabulatedFrame::rmf) && has_near_rotations(angle);
+  const bool are_many = have_rotations ? are_many_near_rows(rows, angle)
+                        : is_by_length || are_of_rmf(columns)
+                            ? are_many_rows(rows, path, is_by_length, [&] { return angle; })
+                            : static_cast<long>(rows) >= sum_over(path, rows_of_piece);
   to_ = static_cast<double>(path.segments().size());
+  if (are_many)
+    compile(angle, start);
+  else if (have_rotations)
+    prepare_few(angle, start);
+  has_rows_ = points_ && (frames_ || rotations_) && are_of_rmf(columns) && are_lengths(columns) &&
+              (columns.scalars.empty() || length_) && !columns.have_quaternions;
+}
+
+void NearRows::compile(const PathAngle& angle, const StartAngle& start) {
+  const Path& path = angle.path();
+  const bool has_length = !columns_.scalars.empty() && are_lengths(columns_);
+  if (places_.is_by_length() || has_length)
+    length_ = where_compiled([&] { return CompiledLength(path); });
+  if (places_.is_by_length() && !length_) return;
   if (goes_on(path) && start.exact && angle.reference() == Reference::euler_rodrigues) {
-    if (!places.is_by_length()) std::tie(from_, to_) = bounds_of(places);
+    if (!places_.is_by_length()) std::tie(from_, to_) = bounds_of(places_);
     if (!(from_ < to_)) return;
     const Curve& curve = *ph_curve(path.segments().front());
     points_ = where_compiled([&] { return CompiledPoints(curve, from_, to_); });
@@ -133,12 +168,28 @@ NearRows::NearRows(const PathAngle& angle, const TableColumns& columns, const St
     points_ = where_compiled([&] { return CompiledPoints(path); });
     frames_ = where_compiled([&] { return CompiledFrames(angle, start); });
   }
-  has_rows_ = points_ && frames_ && are_of_rmf(columns) && are_lengths(columns) &&
-              (columns.scalars.empty() || length_) && !columns.have_quaternions;
+}
+
+/// To compile the points of a segment takes as long as some rows of exact ones.
+void NearRows::prepare_few(const PathAngle& angle, const StartAngle& start) {
+  constexpr std::size_t many = 8;
+  rotations_.emplace(angle, start);
+  const Path& path = angle.path();
+  if (places_.size() < many * path.segments().size()) return;
+  if (goes_on(path)) {
+    std::tie(from_, to_) = bounds_of(places_);
+    if (!(from_ < to_)) return;
+    points_ = where_compiled(
+        [&] { return CompiledPoints(*ph_curve(path.segments().front()), from_, to_); });
+  } else {
+    points_ = where_compiled([&] { return CompiledPoints(path); });
+  }
+  if (!columns_.scalars.empty() && are_lengths(columns_))
+    length_ = where_compiled([&] { return CompiledLength(path); });
 }
 
 std::optional<NearNumber> NearRows::parameter(std::size_t k) const {
-  if (!points_ && !frames_) return std::nullopt;
+  if (!points_ && !frames_ && !rotations_) return std::nullopt;
   const auto number = places_.number(k);
   if (!number) return std::nullopt;
   return places_.is_by_length() ? length_->parameter(*number) : number;
@@ -148,8 +199,13 @@ std::optional<Vector<double>> NearRows::position(const NearNumber& t) const {
   return points_ ? points_->rounded(t) : std::nullopt;
 }
 
-std::optional<Frame<double>> NearRows::frame(const NearNumber& t) const {
-  return frames_ ? frames_->rounded(t) : std::nullopt;
+// Exact fractions along a path with rational frames are products of those of all segments before:
+// balls go first also where doubles do not tell, and what is left are numbers such as 0 and ±1.
+std::optional<Frame<double>> NearRows::frame(const NearNumber& t, const Place& at) const {
+  if (frames_) return frames_->rounded(t);
+  if (!rotations_) return std::nullopt;
+  const auto near = rotations_->frame(t);
+  return near ? near : rotations_->by_balls(at);
 }
 
 /// The numbers of some rows, column by column.
@@ -189,7 +245,10 @@ NearRows::Columns NearRows::made(std::size_t first, std::size_t count) const {
     if (is_inside) near.set(k, *t);
   }
   columns.leave_out(points_->rounded(near, columns.r));
-  columns.leave_out(frames_->rounded(near, columns.rmf));
+  if (frames_)
+    columns.leave_out(frames_->rounded(near, columns.rmf));
+  else
+    columns.leave_out(rotations_->frames(near, columns.rmf));
   if (!columns.s.empty() && !places_.is_by_length())
     columns.leave_out(length_->rounded(near, columns.s));
   return columns;

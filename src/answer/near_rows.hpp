@@ -7,6 +7,7 @@
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/compiled_length.hpp"
 #include "phrame/ph/frame/compiled_point.hpp"
+#include "phrame/ph/frame/near_rotation.hpp"
 
 namespace phrame::inline v0 {
 
@@ -28,8 +29,9 @@ auto where_compiled(const Make& make) -> std::optional<decltype(make())> {
   return std::nullopt;
 }
 
-/// What compiled polynomials tell of the rows of a table, each number correctly rounded: nearly all
-/// rows of tables that are long enough for that to pay, none of others. Any thread may ask.
+/// What doubles tell of the rows of a table, each number correctly rounded: nearly all rows of
+/// tables that are long enough to compile the path, and of others the rotation-minimizing frames of
+/// PH curves. Any thread may ask.
 class NearRows {
  public:
   /// Of these columns at these places; the rotation-minimizing frame starts at that angle.
@@ -45,11 +47,13 @@ class NearRows {
   /// @{ Parts of row k.
   std::optional<NearNumber> parameter(std::size_t k) const;
   std::optional<Vector<double>> position(const NearNumber& t) const;
-  std::optional<Frame<double>> frame(const NearNumber& t) const;
+  std::optional<Frame<double>> frame(const NearNumber& t, const Place& at) const;
   /// @}
 
  private:
   struct Columns;
+  void compile(const PathAngle& angle, const StartAngle& start);
+  void prepare_few(const PathAngle& angle, const StartAngle& start);
   Columns made(std::size_t first, std::size_t count) const;
 
   const TableColumns& columns_;
@@ -60,6 +64,7 @@ class NearRows {
   double to_ = 0;
   std::optional<CompiledPoints> points_;
   std::optional<CompiledFrames> frames_;
+  std::optional<NearRotations> rotations_;  ///< where frames are not compiled
   std::optional<CompiledLength> length_;
 };
 

@@ -55,7 +55,7 @@ TEST_CASE("near numbers: law: sums, products and inverses contain those of all t
     NearComplex w = any_number(random);
     for (NearComplex* x : {&z, &w})
       if (random.chance(2))
-        x->error = std::ldexp(near::size_above(*x), static_cast<int>(random.integer(-110, -8)));
+        x->error = std::ldexp(pairs::size_above(*x), static_cast<int>(random.integer(-110, -8)));
     const GaussianRational a = at_edge(z, random);
     const GaussianRational b = at_edge(w, random);
     CHECK(contains(z + w, a + b));
@@ -65,9 +65,9 @@ TEST_CASE("near numbers: law: sums, products and inverses contain those of all t
     const Rational norm = b.re * b.re + b.im * b.im;
     const NearComplex q = inverse(w);
     if (std::isfinite(q.error)) CHECK(contains(q, {b.re / norm, -b.im / norm}));
-    const Rational size = exact_rational(near::size_above(z));
+    const Rational size = exact_rational(pairs::size_above(z));
     CHECK(exact(z).re * exact(z).re + exact(z).im * exact(z).im <= size * size);
-    const double below = near::size_below(z);
+    const double below = pairs::size_below(z);
     if (below > 0)
       CHECK(a.re * a.re + a.im * a.im >= exact_rational(below * below * (1 - 0x1p-50)));
   });

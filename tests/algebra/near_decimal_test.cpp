@@ -48,7 +48,7 @@ NearNumber any_near(Random& random, Rational& exactly) {
   return within({high, low}, error);
 }
 
-void check_bounds(const SizeBounds& bounds, const Rational& x) {
+void check_bounds(const NearBounds& bounds, const Rational& x) {
   CHECK(exact_rational(bounds.lower) <= abs(x));
   CHECK(abs(x) <= exact_rational(bounds.upper));
 }
@@ -108,7 +108,7 @@ TEST_CASE("near arithmetic: law: sums, products and bounds hold the exact ones")
     holds(a * b, x * y);
     check_bounds(size_bounds(a), x);
     check_bounds(product(size_bounds(a), size_bounds(b)), x * y);
-    const SizeBounds of_root = root(size_bounds(a));
+    const NearBounds of_root = root(size_bounds(a));
     CHECK(exact_rational(of_root.lower) * exact_rational(of_root.lower) <= abs(x));
     CHECK(abs(x) <= exact_rational(of_root.upper) * exact_rational(of_root.upper));
     if (y != 0 && size_bounds(b).lower > 0)

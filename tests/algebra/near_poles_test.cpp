@@ -3,6 +3,7 @@
 #include <cfenv>
 
 #include "phrame/algebra/roots.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "support/random.hpp"
 
 namespace phrame::inline v0 {
@@ -78,6 +79,17 @@ TEST_CASE("near poles: fractions, next to the axis, and roots that n and d have 
     const auto common = near_poles(n * i, near * i);
     REQUIRE(common);
     check_poles(*common, n * i, near * i);
+  }
+}
+
+TEST_CASE("near poles: a common factor of n and d, of whatever size, changes nothing") {
+  const Polynomial n{3, 1, 4};
+  const Polynomial d = Polynomial{3, 0, 1} * Polynomial{5, -2, 1};
+  for (const long k : {-2000, -400, 400, 2000}) {
+    const Rational c = 3 * power_of_two(k);
+    const auto found = near_poles(c * n, c * d);
+    REQUIRE(found);
+    check_poles(*found, n, d);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/ph/along/path_angle.hpp"
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/frame/rational_frame.hpp"
 #include "support/curves.hpp"
 #include "support/expression_curves.hpp"
 #include "support/paths.hpp"
@@ -26,6 +27,8 @@ double compare_rows(const Path& path, bool is_by_length, long count, long step,
   const PathLength length(path);
   TableColumns columns{{TabulatedFrame::rmf}, {TabulatedScalar::arc_length}};
   columns.start = start;
+  TableColumns exact = columns;
+  exact.digits = 1;  // for decimals doubles are not asked
   const auto at = [&](std::vector<Rational> numbers) {
     return is_by_length ? RowPlaces(std::move(numbers), length)
                         : RowPlaces(std::move(numbers),
@@ -44,12 +47,19 @@ double compare_rows(const Path& path, bool is_by_length, long count, long step,
     if (std::binary_search(untold.begin(), untold.end(), number)) continue;
     if (near++ % step != 0) continue;
     CAPTURE(number);
-    FrameRows one(angle, columns, at({numbers[number]}));
+    FrameRows one(angle, exact, at({numbers[number]}));
     std::vector<double> none;
     REQUIRE(one.near(0, {&none, 1}).size() == 1);
     CHECK(row == one.exact(0).values);
   }
   return static_cast<double>(near) / static_cast<double>(count);
+}
+
+/// The curve, cut into 13 segments.
+Path many_segments(const Curve& curve) {
+  std::vector<Rational> at;
+  for (long k = 1; k < 13; ++k) at.emplace_back(k * k, 169);
+  return test::cut(curve, at);
 }
 
 /// Also with other starts.
@@ -106,6 +116,45 @@ TEST_CASE("near rows: of curves of many kinds they are the exact ones, and nearl
 }
 
 // The end of a segment is no number: at a joint that would be the start of the next one.
+TEST_CASE("near rows: of tables too short to compile PH curves they are the exact ones, too") {
+  CHECK(compare_rows(Path(test::quintic), false, 101, 7) > 0.9);
+  CHECK(compare_rows(Path(test::quintic), false, 101, 7, StartNormal({3, -1, 2})) > 0.9);
+  CHECK(compare_rows(Path(test::cut(test::quintic, {Rational(1, 3), Rational(3, 4)})), false, 101,
+                     7) > 0.9);
+  CHECK(compare_rows(many_segments(Curve(test::class_one)), false, 201, 11) > 0.9);
+}
+
+// Where the frame is rational, along one segment it is found as fractions, behind many by balls,
+// and by fractions again where these do not tell a component.
+TEST_CASE("near rows: decimals along many segments with a rational frame are those along one") {
+  // Turned so that e₁, f₂ and f₃ are the axes at the end.
+  const auto rational = rational_frame(test::class_one);
+  const QuaternionPolynomial& b = std::get<RationalFrame>(rational).preimage;
+  const RationalQuaternion end = evaluate(b, 1);
+  const QuaternionPolynomial back{Polynomial{end.u}, Polynomial{-end.v}, Polynomial{-end.p},
+                                  Polynomial{-end.q}};
+  const Curve curve(back * test::class_one);
+  const Path path = many_segments(curve);
+  TableColumns columns{{TabulatedFrame::rmf}};
+  columns.digits = 25;
+  columns.have_quaternions = true;
+  columns.start = StartNormal(rotated_j(evaluate(back * b, 0)));
+  std::vector<Place> along_one;
+  std::vector<Place> along_many;
+  for (long k = 0; k < 13; ++k)
+    for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1)}) {
+      along_many.emplace_back(static_cast<std::size_t>(k), t);
+      along_one.emplace_back(0, Rational((k * k + t * (2 * k + 1)) / 169));
+    }
+  const FrameTable one = frame_table(PathAngle{Path(curve)}, columns, along_one);
+  const FrameTable many = frame_table(PathAngle(path), columns, along_many);
+  for (std::size_t k = 0; k < along_one.size(); ++k)
+    for (std::size_t i = 1; i < one.columns.size(); ++i)  // but for t
+      CHECK(one.decimals[k][i] == many.decimals[k][i]);
+  CHECK(std::vector(many.rows.back().begin() + 4, many.rows.back().begin() + 13) ==
+        std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+}
+
 TEST_CASE("near rows: at a corner they are those of the side that is asked for") {
   const Path path = test::polygon({{0, 0, 0}, {1, 2, 0}, {3, 1, 1}, {2, 5, 4}});
   const PathAngle angle = angle_to(std::nullopt, path);

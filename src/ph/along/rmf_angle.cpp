@@ -205,6 +205,10 @@ std::optional<RealBall> RmfAngle::Parts::quick(const Rational& t) const {
   return known != nullptr ? std::optional(change(*known, 0, t, bits)) : std::nullopt;
 }
 
+const std::vector<NearPole>* RmfAngle::near_poles() const {
+  return bend() || route_ != Route::automatic ? nullptr : parts_->near_poles();
+}
+
 const RationalFunction& RmfAngle::rate() const { return parts_->reduced().rate; }
 
 bool RmfAngle::is_zero() const { return parts_->numerator.is_zero() && !bend(); }
@@ -234,8 +238,9 @@ const Antiderivative& RmfAngle::antiderivative() const {
 /// The two parts may nearly cancel, as near 0, where they are not taken apart: else the precision
 /// rises until their sum is as accurate as asked.
 RealBall RmfAngle::enclose(const Rational& t, long bits) const {
+  if (t == 0) return {};
   const auto& argument = parts_->argument;
-  if (route_ == Route::automatic && bits <= most_quick_bits && t != 0 && !is_zero())
+  if (route_ == Route::automatic && bits <= most_quick_bits && !is_zero())
     if (auto ball = parts_->quick(t); ball && ball->is_accurate(bits)) return *std::move(ball);
   const Evaluator evaluator = parts_->evaluator(route_);
   if (!argument) return evaluator.difference(0, t, bits);

@@ -10,6 +10,8 @@
 
 namespace phrame::inline v0 {
 
+struct NearPole;
+
 /// The frame that an angle is measured from.
 enum class Reference {
   euler_rodrigues,  ///< (A i A*, A j A*, A k A*)/σ
@@ -66,6 +68,9 @@ class PHRAME_API RmfAngle {
   void set_route(Route route) { route_ = route; }
   /// A ball around θ(t) with a radius ≤ 2^−bits · max(1, |θ(t)|).
   RealBall enclose(const Rational& t, long bits) const;
+  /// The poles of θ′ above the real axis, simple ones, by pairs of doubles, where θ is the sum of
+  /// their logarithms; null where doubles do not tell them, with a bend(), and on other routes.
+  const std::vector<NearPole>* near_poles() const;
   /// z ∈ ℚ(i) with e^{iθ(t)} = z/|z|, where there is one for all t: where θ is the argument of a
   /// function in ℚ(i)(t), as on curves with a rational rotation-minimizing frame [Han 2008], plane
   /// curves among them. No value else. Cost: in the first call, on such curves, that of their

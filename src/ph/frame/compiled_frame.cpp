@@ -257,7 +257,7 @@ Frame<double> CompiledFrames::operator()(double t) const {
 }
 
 std::optional<Frame<double>> CompiledFrames::rounded(double t) const {
-  return rounding_to_nearest([&] { return near_frame(t, rotation(t)); });
+  return rounding_to_nearest([&] { return rounded_frame(rotation(t), zeros_at(t)); });
 }
 
 std::optional<Frame<double>> CompiledFrames::rounded(const NearNumber& t) const {
@@ -265,27 +265,12 @@ std::optional<Frame<double>> CompiledFrames::rounded(const NearNumber& t) const 
     const auto near = near_values<4>(*polynomials_, t);
     if (!near) return std::nullopt;
     const auto& [u, v, p, q] = near->values;
-    return near_frame(t.value.high, {{u, v, p, q}, near->error});
+    return rounded_frame({{u, v, p, q}, near->error}, zeros_at(t.value.high));
   });
 }
 
 const CompiledFrames::Zeros& CompiledFrames::zeros_at(double t) const {
   return zeros_[zeros_.size() == 1 ? 0 : std::min(static_cast<std::size_t>(t), zeros_.size() - 1)];
-}
-
-std::optional<Frame<double>> CompiledFrames::near_frame(double t, const Rotation& at) const {
-  const Zeros& zeros = zeros_at(t);
-  double error = at.error;
-  to_component_error(error);
-  const auto x = components(at.b);
-  Frame<double> frame{};
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (zeros[k / 3][k % 3]) continue;
-    const auto common = common_double(x[k], error);
-    if (!common) return std::nullopt;
-    component(frame, k) = *common;
-  }
-  return frame;
 }
 
 template <class Numbers>
@@ -315,6 +300,21 @@ std::vector<std::size_t> CompiledFrames::rounded(const NearNumbers& t,
 
 void CompiledFrames::operator()(std::span<const double> t, std::span<Frame<double>> frames) const {
   for (const std::size_t k : rounded(t, frames)) frames[k] = (*this)(t[k]);
+}
+
+std::optional<Frame<double>> rounded_frame(const CompiledFrames::Rotation& at,
+                                           const CompiledFrames::Zeros& zeros) {
+  double error = at.error;
+  to_component_error(error);
+  const auto x = components(at.b);
+  Frame<double> frame{};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (zeros[k / 3][k % 3]) continue;
+    const auto common = common_double(x[k], error);
+    if (!common) return std::nullopt;
+    component(frame, k) = *common;
+  }
+  return frame;
 }
 
 }  // namespace phrame

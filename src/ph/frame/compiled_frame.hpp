@@ -32,6 +32,8 @@ class PHRAME_API CompiledFrames {
                  double origin = 0);
   /// Whether a component of e₁, e₂, e₃ is known to be 0 for all t.
   using Zeros = std::array<std::array<bool, 3>, 3>;
+  /// Those of the rotation-minimizing frame along segment k.
+  static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   /// Frames by polynomials that compiled_rotation made, of compensated_shape(4). There are zeros()
   /// for all t, or for each [k, k + 1], k = 0, 1, ….
   CompiledFrames(PiecewisePolynomial polynomials, std::vector<Zeros> zeros);
@@ -71,10 +73,7 @@ class PHRAME_API CompiledFrames {
   template <class Numbers>
   std::vector<std::size_t> found_frames(std::span<const double> at, const Numbers& t,
                                         std::span<Frame<double>> frames) const;
-  /// What rounded() gives at t.
-  std::optional<Frame<double>> near_frame(double t, const Rotation& at) const;
   static Zeros zeros(const Curve& curve, const RmfAngle& angle, const FrameAngle& start_angle);
-  static Zeros zeros(const PathAngle& angle, std::size_t segment, const StartAngle& start_angle);
   static std::vector<Zeros> zeros(const PathAngle& angle, const StartAngle& start_angle);
 
   std::shared_ptr<const PiecewisePolynomial> polynomials_;

@@ -10,4 +10,9 @@ struct CompiledFrames::Rotation {
   double error;                ///< of all components together
 };
 
+/// The frame of B, every component correctly rounded, but for those that are known to be 0; no
+/// value where the error leaves a rounding open.
+std::optional<Frame<double>> rounded_frame(const CompiledFrames::Rotation& at,
+                                           const CompiledFrames::Zeros& zeros = {});
+
 }  // namespace phrame

@@ -167,7 +167,7 @@ Frame<Real> turned(const Frame<Rational>& frame, const std::optional<GaussianRat
 }
 
 Frame<Rational> euler_rodrigues_frame(const Curve& curve, const Rational& t) {
-  return Frames(curve).euler_rodrigues(t);
+  return euler_rodrigues_frame(without_real_content(curve.preimage()), t);
 }
 
 Frame<Real> frenet_frame(const Curve& curve, const Rational& t) { return Frames(curve).frenet(t); }

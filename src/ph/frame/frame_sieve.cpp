@@ -43,13 +43,13 @@ Vector<NearNumber> all_within(const Vector<DoubleDouble>& v, double error) {
 }
 
 /// Of the angle between vectors of these lengths, from their inner product.
-SizeBounds cosine(const NearNumber& inner_product, const SizeBounds& lengths) {
+NearBounds cosine(const NearNumber& inner_product, const NearBounds& lengths) {
   return quotient(size_bounds(inner_product), lengths);
 }
 
 /// | |f| − 1 | = ||f|² − 1|/(|f| + 1)
-SizeBounds off_unit(const NearNumber& square) {
-  const SizeBounds size = root(size_bounds(square));
+NearBounds off_unit(const NearNumber& square) {
+  const NearBounds size = root(size_bounds(square));
   return quotient(size_bounds(square - NearNumber{{1, 0}, 0}), {1 + size.lower, 1 + size.upper});
 }
 
@@ -59,7 +59,7 @@ bool is_of_usual_length(const NearNumber& square) {
 }
 
 /// Of the angle between a and b, |b| = 1.
-SizeBounds sine(const Vector<NearNumber>& a, const Vector<NearNumber>& b,
+NearBounds sine(const Vector<NearNumber>& a, const Vector<NearNumber>& b,
                 const NearNumber& square_of_a) {
   const Vector<NearNumber> c = cross(a, b);
   return root(quotient(size_bounds(dot(c, c)), size_bounds(square_of_a)));
@@ -141,7 +141,7 @@ std::optional<NearNumber> FrameSieve::parameter(const NearNumber& number) const 
 /// Of arg(x + iy), |arg| < π/2; of others there are no bounds.
 FrameSieve::Bounds FrameSieve::tangent_of(const NearNumber& x, const NearNumber& y) {
   if (!is_positive(x)) return {-HUGE_VAL, HUGE_VAL};
-  const SizeBounds size = quotient(size_bounds(y), size_bounds(x));
+  const NearBounds size = quotient(size_bounds(y), size_bounds(x));
   if (size.lower == 0) return {-size.upper, size.upper};
   return y.value.high > 0 ? Bounds{size.lower, size.upper} : Bounds{-size.upper, -size.lower};
 }
@@ -181,7 +181,7 @@ std::optional<FrameSieve::Deviation> FrameSieve::deviation(const NearFrame& fram
   Deviation found{
       tangent_of(x * x0 + y * y0, y * x0 - x * y0), {}, {}, {}, turned(tangent, frame.f2)};
 
-  const SizeBounds f2_size = root(size_bounds(f2_square));
+  const NearBounds f2_size = root(size_bounds(f2_square));
   found.orthogonality = cosine(dot(frame.f2, tangent), f2_size);
   found.length = off_unit(f2_square);
   const Vector<NearNumber>& forward = frame.tangent ? *frame.tangent : tangent;
@@ -189,7 +189,7 @@ std::optional<FrameSieve::Deviation> FrameSieve::deviation(const NearFrame& fram
     const NearNumber f3_square = dot(*frame.f3, *frame.f3);
     if (!is_of_usual_length(f3_square) || !is_positive(dot(forward, cross(frame.f2, *frame.f3))))
       return std::nullopt;
-    const SizeBounds f3_size = root(size_bounds(f3_square));
+    const NearBounds f3_size = root(size_bounds(f3_square));
     found.orthogonality = greater(found.orthogonality, cosine(dot(*frame.f3, tangent), f3_size));
     found.orthogonality =
         greater(found.orthogonality, cosine(dot(frame.f2, *frame.f3), product(f2_size, f3_size)));
@@ -206,7 +206,7 @@ std::optional<FrameSieve::Deviation> FrameSieve::deviation(const NearFrame& fram
 
 /// Those that are told; false where one is not told or the first.
 bool FrameSieve::find_faults(const Row& row, const Deviation& found) {
-  const std::array<const SizeBounds*, told_faults.size()> numbers{
+  const std::array<const NearBounds*, told_faults.size()> numbers{
       &found.tangent_sine, &found.orthogonality, &found.length};
   bool is_all = true;
   for (std::size_t k = 0; k < numbers.size(); ++k) {

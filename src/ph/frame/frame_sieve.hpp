@@ -70,9 +70,9 @@ class FrameSieve {
  private:
   struct Deviation {
     Bounds angle;  ///< the tangent of that to the first frame
-    SizeBounds orthogonality;
-    SizeBounds length;
-    SizeBounds tangent_sine;
+    NearBounds orthogonality;
+    NearBounds length;
+    NearBounds tangent_sine;
     std::array<double, 2> turned;  ///< |n × n₀|² for f₂ and for e₁ × f₂, about
   };
   /// The frames that may have the greatest of some numbers.
