@@ -493,6 +493,65 @@ TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
   CHECK(crossing.found.size() == exact.found.size() + 2);
 }
 
+// Where A = t^2 + t - 1 has its root, the curves with w = A + iB and w = (A - 5iB)/7, B = 2t + 1,
+// have y = A^2 and y = -5/49 A^2, and one point: with x0 = 0 and -144/245 their x there are equal,
+// as the integrals of A^2 and B^2 from 0 to it are (-41 + 25 sqrt 5)/60 and (-1 + 5 sqrt 5)/6.
+TEST_CASE("offset: curves that touch at irrational parameters, miss each other, or cross twice") {
+  const Polynomial a{-1, 1, 1};
+  const Polynomial b{1, 2};
+  const Curve upper({a, {}, {}, b}, {1}, {0, 1, 0});
+  const auto meetings = [&](const Rational& gap) {
+    const Rational low = Rational(-5, 49) - gap;
+    const Vector<Rational> start{Rational(-144, 245), low, 0};
+    const Vector<Rational> end = evaluate(position(upper), 1);
+    PhPath path(upper);
+    const PhPath way = lines({end, {-10, 1, 0}, {-10, -10, 0}, {10, -10, 0}, {10, low, 0}, start});
+    for (const Curve& line : way.segments()) path.append(line);
+    path.append(Curve({Rational(1, 7) * a, {}, {}, Rational(-5, 7) * b}, {1}, start));
+    return self_intersections(offset(path, Rational(1, 2)));
+  };
+  const SelfIntersections exact = meetings(0);
+  CHECK(exact.is_complete());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_segment == 0);
+  CHECK(exact.touching[0].first_t == real_root(a, open_interval(0, 1)));
+  CHECK(exact.touching[0].second_t == real_root(a, open_interval(0, 1)));
+  const SelfIntersections apart = meetings(power_of_ten(-60));
+  const SelfIntersections crossing = meetings(-power_of_ten(-60));
+  for (const SelfIntersections& found : {apart, crossing}) {
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+  }
+  CHECK(apart.found.size() == exact.found.size());
+  CHECK(crossing.found.size() == exact.found.size() + 2);
+}
+
+// y = A^4 and y = A^3 touch y = 0 as above, with the same curvature; the second one crosses it
+// there.
+TEST_CASE("offset: a curve that osculates a line at an irrational parameter") {
+  const Polynomial a{-1, 1, 1};
+  const Polynomial b{1, 2};
+  const auto meetings = [&](const Polynomial& u, const Polynomial& q, const Rational& y) {
+    const Curve curve({u, {}, {}, q}, {1}, {0, y, 0});
+    PhPath path(curve);
+    const PhPath way = lines({evaluate(position(curve), 1),
+                              {-10, 1, 0},
+                              {-10, -10, 0},
+                              {10, -10, 0},
+                              {10, 0, 0},
+                              {-10, 0, 0}});
+    for (const Curve& line : way.segments()) path.append(line);
+    return self_intersections(offset(path, Rational(1, 2)));
+  };
+  const SelfIntersections touching = meetings(Rational(2) * pow(a, 3), b, 1);
+  CHECK(touching.is_complete());
+  REQUIRE(touching.touching.size() == 1);
+  CHECK(touching.touching[0].first_t == real_root(a, open_interval(0, 1)));
+  const SelfIntersections crossing = meetings(pow(a, 2), Rational(3, 2) * b, -1);
+  CHECK(crossing.touching.empty());
+  CHECK_FALSE(crossing.is_complete());
+}
+
 TEST_CASE("offset: no distance, and no plane z = const") {
   CHECK_THROWS_WITH_AS(offset(parabolic, 0), "offset: the distance is 0", DomainError);
   const Curve space({{1}, {0, 1}, {0, 0, 1}, {}});
