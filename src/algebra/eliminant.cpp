@@ -31,6 +31,13 @@ struct Rows {
   long height() const { return static_cast<long>(rows.size()) - 1; }  ///< the degree in t
 };
 
+/// @{ Of the resultant at most: its degree in x, and the bits of a coefficient.
+long degree_of(const Rows& a, const Rows& b) {
+  return b.height() * a.degree + a.height() * b.degree;
+}
+long bits_of(const Rows& a, const Rows& b) { return b.height() * a.bits + a.height() * b.bits; }
+/// @}
+
 /// v(x, t) modulo a prime; no value where its degree in t is less there.
 std::optional<ModularPolynomial> at(const ModularPolynomial* rows, long height, Word x,
                                     Word prime) {
@@ -43,12 +50,16 @@ std::optional<ModularPolynomial> at(const ModularPolynomial* rows, long height, 
 
 }  // namespace
 
-std::optional<Polynomial> eliminant(const Bivariate& a, const Bivariate& b, long most_bits) {
+long eliminant_size(const Bivariate& a, const Bivariate& b) {
   const Rows first(a);
   const Rows second(b);
-  const long degree = second.height() * first.degree + first.height() * second.degree;
-  const long bits = second.height() * first.bits + first.height() * second.bits;
-  if (bits * (degree + 1) > most_bits) return std::nullopt;
+  return bits_of(first, second) * (degree_of(first, second) + 1);
+}
+
+Polynomial eliminant(const Bivariate& a, const Bivariate& b) {
+  const Rows first(a);
+  const Rows second(b);
+  const long degree = degree_of(first, second);
   std::vector<IntegerPolynomial> inputs = first.rows;
   inputs.insert(inputs.end(), second.rows.begin(), second.rows.end());
   const auto image =
@@ -69,7 +80,8 @@ std::optional<Polynomial> eliminant(const Bivariate& a, const Bivariate& b, long
     nmod_poly_interpolate_nmod_vec(found.raw(), places.data(), values.data(), degree + 1);
     return found;
   };
-  const Polynomial lifted = to_polynomial(modular_lift(inputs, degree + 1, bits, image).get());
+  const Polynomial lifted =
+      to_polynomial(modular_lift(inputs, degree + 1, bits_of(first, second), image).get());
   return lifted.is_zero() ? lifted : primitive_part(lifted);
 }
 
@@ -85,15 +97,16 @@ Bivariate swapped(const Bivariate& v) {
   return Bivariate(columns);
 }
 
-// By Horner's scheme: with a = Σ aₖtᵏ and −a = (t − x)·Σ qₖtᵏ it is qₖ₋₁ = x·qₖ − aₖ.
-Bivariate divided_by_difference(const Bivariate& a) {
-  std::vector<Polynomial> quotient(a.coefficients().size());
-  Polynomial rest;
-  for (std::size_t k = quotient.size(); k > 0; --k) {
-    quotient[k - 1] = rest;
-    rest = Polynomial{0, 1} * rest - a.coefficients()[k - 1];
+Bivariate exact_quotient(const Bivariate& a, const Bivariate& b) {
+  std::vector<Polynomial> rest = a.coefficients();
+  const std::vector<Polynomial>& divisor = b.coefficients();
+  std::vector<Polynomial> quotient(rest.size() < divisor.size() ? 0
+                                                                : rest.size() + 1 - divisor.size());
+  for (std::size_t k = quotient.size(); k-- > 0;) {
+    quotient[k] = exact_quotient(rest[k + divisor.size() - 1], divisor.back());
+    for (std::size_t j = 0; j < divisor.size(); ++j) rest[k + j] -= quotient[k] * divisor[j];
   }
-  if (!rest.is_zero()) throw DomainError("divided_by_difference: there is a remainder");
+  if (!Bivariate(rest).is_zero()) throw DomainError("exact_quotient: there is a remainder");
   return Bivariate(quotient);
 }
 

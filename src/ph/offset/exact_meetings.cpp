@@ -1,7 +1,10 @@
 #include "phrame/ph/offset/exact_meetings.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/eliminant.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/plane_ball.hpp"
@@ -24,7 +27,7 @@ struct PairEliminant {
 
 namespace {
 
-constexpr long most_eliminant_bits = 40'000'000;
+constexpr long most_bits_of_one = 20'000'000;
 constexpr long first_cell_bits = 128;
 constexpr long most_cell_bits = 4096;
 
@@ -59,20 +62,37 @@ std::optional<Polynomial> common_root(const Bivariate& f, const Bivariate& g, co
 /// Two curves, or one with itself.
 class ExactMeetings::Pair {
  public:
-  Pair(const RationalCurve& a, const RationalCurve& b, bool is_one_curve) {
-    f_ = gap(a, b, 0);
-    g_ = gap(a, b, 1);
-    if (!is_one_curve) return;
-    f_ = divided_by_difference(f_);
-    g_ = divided_by_difference(g_);
+  Pair(const RationalCurve& a, const RationalCurve& b) : f_(gap(a, b, 0)), g_(gap(a, b, 1)) {
+    common_ = gcd(f_, g_);
+    if (common_.is_zero()) return;
+    f_ = exact_quotient(f_, common_);
+    g_ = exact_quotient(g_, common_);
+  }
+
+  /// Do the curves not coincide in these parts? As curves they do where both polynomials have a
+  /// common factor: one with itself where s = t. It is bilinear where each goes through its points
+  /// once, and then greatest and least at corners.
+  bool are_apart(const Interval& s, const Interval& t) const {
+    if (common_.degree() > 1 || swapped(common_).degree() > 1) return false;
+    int sign = 0;
+    for (const Rational& y : {*t.lower, *t.upper})
+      for (const Rational& x : {*s.lower, *s.upper}) {
+        const int here = evaluate_at(common_, y)(x).sign();
+        if (here == 0 || here == -sign) return false;
+        sign = here;
+      }
+    return true;
   }
 
   const Bivariate& f() const { return f_; }
   const Bivariate& g() const { return g_; }
 
-  /// @{ That in s, and that in t; nothing where it is 0 or too long.
-  const PairEliminant* of_first() { return made(first_, f_, g_); }
-  const PairEliminant* of_second() { return made(second_, swapped(f_), swapped(g_)); }
+  /// @{ That in s, and that in t; nothing where it is 0 or too long. What it takes is taken of
+  /// `bits`.
+  const PairEliminant* of_first(long& bits) { return made(first_, f_, g_, bits); }
+  const PairEliminant* of_second(long& bits) {
+    return made(second_, swapped(f_), swapped(g_), bits);
+  }
   /// @}
 
  private:
@@ -89,18 +109,21 @@ class ExactMeetings::Pair {
     return Bivariate(rows);
   }
 
-  static const PairEliminant* made(Kept& kept, const Bivariate& f, const Bivariate& g) {
+  static const PairEliminant* made(Kept& kept, const Bivariate& f, const Bivariate& g, long& bits) {
     if (!kept) {
       kept.emplace();
-      if (!f.is_zero() && !g.is_zero())
-        if (auto found = eliminant(f, g, most_eliminant_bits); found && !found->is_zero())
-          kept->emplace(*std::move(found));
+      if (f.is_zero() || g.is_zero()) return nullptr;
+      const long size = eliminant_size(f, g);
+      if (size > std::min(most_bits_of_one, bits)) return nullptr;
+      bits -= size;
+      if (Polynomial found = eliminant(f, g); !found.is_zero()) kept->emplace(std::move(found));
     }
     return *kept ? &**kept : nullptr;
   }
 
   Bivariate f_;
   Bivariate g_;
+  Bivariate common_;  ///< a factor that both had
   Kept first_;
   Kept second_;
 };
@@ -191,19 +214,19 @@ ExactMeetings::~ExactMeetings() = default;
 
 ExactMeetings::Pair& ExactMeetings::pair_of(std::size_t first, std::size_t second) {
   auto& pair = pairs_[{first, second}];
-  if (!pair)
-    pair = std::make_unique<Pair>(curves_.curves[first], curves_.curves[second], first == second);
+  if (!pair) pair = std::make_unique<Pair>(curves_.curves[first], curves_.curves[second]);
   return *pair;
 }
 
 std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& place) {
   if (are_joined(series_, place.first, place.second)) return std::nullopt;
   Pair& pair = pair_of(place.first.segment, place.second.segment);
-  const PairEliminant* of_s = pair.of_first();
+  if (!pair.are_apart(interval_of(place.first), interval_of(place.second))) return std::nullopt;
+  const PairEliminant* of_s = pair.of_first(bits_left_);
   if (of_s == nullptr) return std::nullopt;
   const std::vector<Interval> in_s = roots_in(of_s->squarefree, place.first);
   if (in_s.empty()) return PartMeetings{};
-  const PairEliminant* of_t = pair.of_second();
+  const PairEliminant* of_t = pair.of_second(bits_left_);
   if (of_t == nullptr) return std::nullopt;
   const std::vector<Interval> in_t = roots_in(of_t->squarefree, place.second);
   PartMeetings found;
@@ -220,8 +243,9 @@ std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& plac
       if (!other) return std::nullopt;
       const RealAlgebraic second = image(*other, at);
       if (compare(second, *t.lower) <= 0 || compare(second, *t.upper) >= 0) continue;
-      if (order_of(of_s->whole, at) % 2 != 0) return std::nullopt;
-      found.touching.push_back({place.first.segment, at, place.second.segment, second});
+      // As there is no other t, its order is the multiplicity of the common point.
+      const bool crosses = order_of(of_s->whole, at) % 2 != 0;
+      found.touching.push_back({place.first.segment, at, place.second.segment, second, crosses});
     }
   return found;
 }

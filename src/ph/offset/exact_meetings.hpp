@@ -10,7 +10,7 @@ namespace phrame::inline v0 {
 /// What two parts of boundary curves have in common.
 struct PartMeetings {
   std::vector<Crossing> crossings;     ///< transversal ones
-  std::vector<KnownMeeting> touching;  ///< where they touch and neither crosses the other
+  std::vector<KnownMeeting> touching;  ///< where they have one tangent
 };
 
 /// Decides by elimination where short parts meet, whatever is between them: P(s) = Q(t) are two
@@ -26,10 +26,10 @@ class ExactMeetings {
   ExactMeetings(const ExactMeetings&) = delete;
   ExactMeetings& operator=(const ExactMeetings&) = delete;
 
-  /// No value where the parts are joined, the curves coincide, the resultant is too long (its
-  /// degree times its bits above 4·10⁷), curves cross and have one tangent there, or three branches
-  /// meet in one point and two of them touch. Cost: one or two resultants for each pair of curves,
-  /// of degree 162 for offsets of quintics.
+  /// No value where the parts are joined, or coincide somewhere, the resultant is too long (its
+  /// degree times its bits above 2·10⁷, or of all together above 2·10⁸), or three branches meet in
+  /// one point and two of them touch. Cost: one or two resultants for each pair of curves, of
+  /// degree 108 for offsets of quintics.
   std::optional<PartMeetings> between(const UndecidedCrossing& place);
 
  private:
@@ -39,6 +39,7 @@ class ExactMeetings {
 
   const OffsetBranches& curves_;
   const CurveSeries& series_;
+  long bits_left_ = 200'000'000;  ///< of resultants
   std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Pair>> pairs_;
 };
 

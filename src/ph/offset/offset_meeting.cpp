@@ -135,7 +135,8 @@ void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
                                       at_start(offset, {x.second_segment, x.second_t}));
       if (contains(told, pair)) continue;
       told.push_back(pair);
-      result.touching.push_back({pair.first.piece, pair.first.t, pair.second.piece, pair.second.t});
+      result.touching.push_back(
+          {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
     }
     return true;
   });

@@ -445,6 +445,14 @@ TEST_CASE("offset: halves of a mirrored curve that touch each other on the axis,
   CHECK(exact.touching[0].second_t.rational() == Rational(3, 4));
   CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(0UL, 0UL));
   CHECK(counts(curve, d + power_of_ten(-30)) == std::pair(2UL, 0UL));
+  // As two parts of one curve, which coincide where neither is: the resultant without that.
+  const PhPath parts =
+      test::chain({segment(curve, 0, Rational(3, 5)), segment(curve, Rational(3, 5), 1)});
+  const SelfIntersections split = self_intersections(offset(parts, d));
+  CHECK(split.is_complete());
+  REQUIRE(split.touching.size() == 1);
+  CHECK(split.touching[0].first_t.rational() == Rational(5, 12));
+  CHECK(split.touching[0].second_t.rational() == Rational(3, 8));
 }
 
 // With dr/du = (1 - 20/19 v)(1 + iu)^2 it is u (I + 2d/(1 + v)) with I = 1 - 13/19 v + 4/19 v^2.
@@ -458,7 +466,8 @@ TEST_CASE("offset: two cusps that meet on the axis of a mirrored curve") {
   CHECK(exact.is_complete());
   CHECK(exact.found.size() == 2);
   REQUIRE(exact.touching.size() == 1);
-  const auto& [first, s, second, t] = exact.touching[0];
+  const RealAlgebraic& s = exact.touching[0].first_t;
+  const RealAlgebraic& t = exact.touching[0].second_t;
   CHECK(approximate(enclose(s, 64)) == doctest::Approx(0.5 - 5 * std::sqrt(0.5) / 9));
   CHECK(approximate(enclose(t, 64)) == doctest::Approx(0.5 + 5 * std::sqrt(0.5) / 9));
   CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(2UL, 0UL));
@@ -547,9 +556,12 @@ TEST_CASE("offset: a curve that osculates a line at an irrational parameter") {
   CHECK(touching.is_complete());
   REQUIRE(touching.touching.size() == 1);
   CHECK(touching.touching[0].first_t == real_root(a, open_interval(0, 1)));
+  CHECK_FALSE(touching.touching[0].crosses);
   const SelfIntersections crossing = meetings(pow(a, 2), Rational(3, 2) * b, -1);
-  CHECK(crossing.touching.empty());
-  CHECK_FALSE(crossing.is_complete());
+  CHECK(crossing.is_complete());
+  REQUIRE(crossing.touching.size() == 1);
+  CHECK(crossing.touching[0].crosses);
+  CHECK(crossing.touching[0].first_t == real_root(a, open_interval(0, 1)));
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {
