@@ -13,6 +13,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/exact_meetings.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
@@ -500,6 +501,24 @@ TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
   }
   CHECK(apart.found.size() == exact.found.size());
   CHECK(crossing.found.size() == exact.found.size() + 2);
+}
+
+TEST_CASE(
+    "offset: of parts of one curve it is told that they are apart, and not where they overlap") {
+  const Curve curve({{1}, {}, {}, {-1, 2}});
+  const OffsetBranches both{
+      {offset(curve, 1), offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1)},
+      {no_segment, no_segment}};
+  const CurveSeries series = plane_series(both.curves, both.behind);
+  ExactMeetings exact(both, series);
+  // The second one is the first from t = 1/2 to 1/2 + 1/128.
+  const CurvePart part{1, 0.5, 0.515625};
+  CHECK_FALSE(exact.between({{0, 0.5, 0.515625}, part}));
+  CHECK_FALSE(exact.between({{0, 0.25, 0.75}, part}));
+  const auto apart = exact.between({{0, 0.515625, 0.75}, part});
+  REQUIRE(apart);
+  CHECK(apart->crossings.empty());
+  CHECK(apart->touching.empty());
 }
 
 // Where A = t^2 + t - 1 has its root, the curves with w = A + iB and w = (A - 5iB)/7, B = 2t + 1,
