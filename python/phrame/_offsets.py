@@ -29,6 +29,7 @@ class OffsetMeeting(NamedTuple):
     t: Tuple[Decimal, Decimal]  #: of the path, the earlier one first
     on_joins: Tuple[bool, bool]  #: are they on what joins the offsets at the corner there?
     point: Point
+    touches: bool  #: do the branches touch there, without crossing?
 
 
 class OffsetStretch(NamedTuple):

@@ -191,7 +191,7 @@ def offset_html(self: Any) -> str:
         if self.area is not None:
             rows.append(("signed area", _number(float(self.area))))
     rows += [(f"cusp at t = {_number(float(cusp.t))}", _point(cusp.point)) for cusp in self.cusps]
-    rows += [("meets itself", _point(meeting.point)) for meeting in self.self_intersections]
+    rows += [("touches itself" if meeting.touches else "meets itself", _point(meeting.point)) for meeting in self.self_intersections]
     rows += [("branch", f"{'closed' if branch.is_closed else 'open'}, {_number(float(branch.length))} long") for branch in self.branches]
     return f"<div>{_title(self.path, 'Offset of')}{_table(rows)}{_drawing(self)}</div>"
 

@@ -119,7 +119,7 @@ nb::object offset_meetings(nb::handle self) {
   return tuple_by(part == nullptr ? nullptr : &part->meetings, [](const auto& x, std::size_t) {
     return record("OffsetMeeting",
                   nb::make_tuple(to_decimal(x.first.t.value), to_decimal(x.second.t.value)),
-                  nb::make_tuple(x.first.is_join, x.second.is_join), to_python(x.at));
+                  nb::make_tuple(x.first.is_join, x.second.is_join), to_python(x.at), x.touches);
   });
 }
 
@@ -311,7 +311,7 @@ void bind_offset(nb::module_& m) {
       .def_prop_ro(
           "self_intersections", offset_meetings,
           nb::sig("def self_intersections(self) -> tuple[phrame._offsets.OffsetMeeting, ...]"),
-          "Where it meets itself: t, on_joins, point. None of one that is trimmed.")
+          "Where it meets itself: t, on_joins, point, touches. None of one that is trimmed.")
       .def_prop_ro("is_complete", offset_is_complete,
                    "Are these all there are, and is nothing undecided?")
       .def_prop_ro("undecided", offset_undecided,

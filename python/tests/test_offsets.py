@@ -2,6 +2,7 @@
 
 import json
 import math
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -146,6 +147,15 @@ def test_where_an_offset_meets_itself():
     (outline,) = found.outlines()
     for x, y in [*marks["cusps"], *marks["self_intersections"]]:
         assert np.hypot(*(outline - (x, y)).T).min() < 1
+
+
+# As in tests/ph/offset/offset_test.cpp: at d = -1/24 the halves touch at t = 1/4 and 3/4, farther out they cross twice.
+def test_where_an_offset_touches_itself():
+    mirrored = phrame.Path.from_json('{"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/2"], "v": [0], "p": [0], "q": [-1, 2]}}')
+    (meeting,) = mirrored.offset("-1/24").self_intersections
+    assert meeting.touches and meeting.t == (Decimal("0.25"), Decimal("0.75"))
+    assert "touches itself" in mirrored.offset("-1/24")._repr_html_()
+    assert [x.touches for x in mirrored.offset("-1/25").self_intersections] == [False, False]
 
 
 def test_branches_of_what_is_trimmed():

@@ -120,7 +120,7 @@ class OffsetReport {
     }
     for (const KnownMeeting& x : found.touching)
       add_meeting(x.first_segment, enclose(x.first_t, bits), x.second_segment,
-                  enclose(x.second_t, bits), true);
+                  enclose(x.second_t, bits), !x.crosses);
     for (const UndecidedCrossing& x : found.undecided)
       part.undecided.push_back({range(x.first), range(x.second)});
     part.is_cut_off = found.is_cut_off;

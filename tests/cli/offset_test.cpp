@@ -392,6 +392,13 @@ TEST_CASE("offset: as a page, with marks, points along it, measures and the repo
   const std::string two = bytes_of(here.file("two.html"));
   CHECK(count_of(two, "<circle r=\"5\"/>") == 2);
   CHECK(count_of(two, "meets itself: t = ") == 3);
+  CHECK(count_of(two, "touches itself") == 0);
+  here.write("mirrored.json", R"({"phrame": "curve/1", "basis": "power", "preimage":
+      {"u": ["1/2"], "v": [0], "p": [0], "q": [-1, 2]}})");
+  check_success(here.run("offset mirrored.json --distance=-1/24 -o mirrored.html"));
+  const std::string touching = bytes_of(here.file("mirrored.html"));
+  CHECK(count_of(touching, "touches itself: t = 0.250000000000 and t = 0.750000000000") == 1);
+  CHECK(count_of(touching, "meets itself: ") == 0);
 }
 
 TEST_CASE("offset: as a page, trimmed: what is left, what is cut away, and cuts") {

@@ -87,7 +87,7 @@ class Canvas {
 
 /// A place that the page marks.
 struct Mark {
-  std::string kind;  ///< "cusp", "meets itself", "cut", or, of an envelope, "joint"
+  std::string kind;  ///< "cusp", "meets itself", "touches itself", "cut", or "joint" of an envelope
   std::size_t layer;
   std::string where;  ///< t of the path
   std::array<Decimal, 2> at;
@@ -139,8 +139,8 @@ std::vector<Mark> marks_of(const OffsetAnswer& answer) {
     for (const auto& [t, turns_back, at] : answer.offsets[k].cusps)
       marks.push_back({"cusp", k, at_place(t, on_page), at});
     for (const auto& [first, second, at, touches] : answer.offsets[k].meetings)
-      marks.push_back(
-          {"meets itself", k, in_words(first, on_page) + " and " + in_words(second, on_page), at});
+      marks.push_back({touches ? "touches itself" : "meets itself", k,
+                       in_words(first, on_page) + " and " + in_words(second, on_page), at});
   }
   for (std::size_t k = 0; k < answer.trimmed.size(); ++k)
     for (const auto& branch : answer.trimmed[k].branches) add_cuts(marks, k, branch);

@@ -201,6 +201,16 @@ std::pair<RealBall, RealBall> narrowed(const CurveSeries& curve, const Crossing&
   return {s, t};
 }
 
+void add_once(std::vector<Crossing>& found, const Crossing& crossing) {
+  if (std::ranges::any_of(found, [&](const Crossing& x) { return are_same(crossing, x); })) return;
+  const auto is_behind = [&](const Crossing& x) {
+    return x.first_segment != crossing.first_segment
+               ? x.first_segment > crossing.first_segment
+               : x.first_t.midpoint() > crossing.first_t.midpoint();
+  };
+  found.insert(std::ranges::find_if(found, is_behind), crossing);
+}
+
 void look_closer(const CurveSeries& curve, SelfIntersections& result) {
   if (result.is_cut_off) return;
   CloseSearch search(curve, plane_position(curve));
@@ -208,17 +218,7 @@ void look_closer(const CurveSeries& curve, SelfIntersections& result) {
     if (are_joined(curve, x.first, x.second)) return false;
     const auto found = search.crossings(x.first, x.second);
     if (!found) return false;
-    for (const Crossing& crossing : *found) {
-      if (std::ranges::any_of(result.found,
-                              [&](const Crossing& y) { return are_same(crossing, y); }))
-        continue;
-      const auto is_behind = [&](const Crossing& y) {
-        return y.first_segment != crossing.first_segment
-                   ? y.first_segment > crossing.first_segment
-                   : y.first_t.midpoint() > crossing.first_t.midpoint();
-      };
-      result.found.insert(std::ranges::find_if(result.found, is_behind), crossing);
-    }
+    for (const Crossing& crossing : *found) add_once(result.found, crossing);
     return true;
   });
 }

@@ -25,6 +25,9 @@ PlanePosition plane_position(const CurveSeries& curve);
 /// Have two parts a point in common as parts of one curve, as a part with itself has?
 bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b);
 
+/// Adds one to those that are sorted by first place, unless it is one of them.
+void add_once(std::vector<Crossing>& found, const Crossing& crossing);
+
 /// What self_intersections() left undecided, looked at in arcs down to 2^−64 of a segment: branches
 /// that nearly touch are told apart, or cross in places that are found. What is decided is moved.
 void look_closer(const CurveSeries& curve, SelfIntersections& result);

@@ -48,12 +48,13 @@ struct KnownMeeting {
   RealAlgebraic first_t;       ///< and its parameter
   std::size_t second_segment;  ///< those of the other, which is not before it
   RealAlgebraic second_t;      ///< likewise
+  bool crosses = false;        ///< of branches with one tangent: does each cross the other there?
 };
 /// Where a plane curve meets itself.
 struct SelfIntersections {
   /// Each once, by first place, with the sign of r′(first) × r′(second).
   std::vector<Crossing> found;
-  std::vector<KnownMeeting> touching = {};   ///< as touching() of offsets finds them
+  std::vector<KnownMeeting> touching = {};   ///< where branches of offsets have one tangent
   std::vector<UndecidedCrossing> undecided;  ///< parts of less than 2^−24 of a segment, by place
   bool is_cut_off = false;  ///< was there so much undecided that the rest was not looked at?
   bool is_complete() const { return undecided.empty() && !is_cut_off; }  ///< are these all?

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "phrame/ph/curve/close_crossings.hpp"
+#include "phrame/ph/offset/exact_meetings.hpp"
 #include "phrame/ph/offset/touching.hpp"
 
 namespace phrame::inline v0 {
@@ -119,15 +121,22 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
 void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
                      const CurveSeries& series) {
   std::vector<PointPair> told;
+  ExactMeetings exact(offset, series);
   std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
-    const auto found = touching(offset, series, place);
-    if (!found) return false;
+    std::optional<std::vector<KnownMeeting>> found = touching(offset, series, place);
+    if (!found) {
+      auto meetings = exact.between(place);
+      if (!meetings) return false;
+      for (const Crossing& x : meetings->crossings) add_once(result.found, x);
+      found = std::move(meetings->touching);
+    }
     for (const KnownMeeting& x : *found) {
       const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
                                       at_start(offset, {x.second_segment, x.second_t}));
       if (contains(told, pair)) continue;
       told.push_back(pair);
-      result.touching.push_back({pair.first.piece, pair.first.t, pair.second.piece, pair.second.t});
+      result.touching.push_back(
+          {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
     }
     return true;
   });

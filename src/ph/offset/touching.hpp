@@ -5,14 +5,9 @@
 
 namespace phrame::inline v0 {
 
-/// The points that two short parts have in common, which are nearly parallel, where algebra tells:
-/// none, or one, in which they touch. It is found
-/// - where it is at rational parameters and the curvatures differ: if P = Q and P′ × Q′ = 0 there,
-///   and all curvatures of the one are greater than all of the other, seen along one direction,
-///   the curves, as graphs over the tangent, meet nowhere else;
-/// - where one curve is the mirror image of the other one, P(s) that of Q(s) or Q(1 − s): all
-///   points of the axis a curve has are the roots of one polynomial, and if that has no root, or
-///   one of even order, both are on different sides of it.
+/// The points that two short parts have in common, where one curve is the mirror image of the other
+/// one, P(s) that of Q(s) or Q(1 − s): all points of the axis a curve has are the roots of one
+/// polynomial, and if that has no root, or one of even order, both are on different sides of it.
 /// No value where it is not told, as where they overlap, or one goes on into the other.
 std::optional<std::vector<KnownMeeting>> touching(const OffsetBranches& offset,
                                                   const CurveSeries& series,

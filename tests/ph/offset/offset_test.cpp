@@ -13,6 +13,7 @@
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/exact_meetings.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
@@ -445,6 +446,14 @@ TEST_CASE("offset: halves of a mirrored curve that touch each other on the axis,
   CHECK(exact.touching[0].second_t.rational() == Rational(3, 4));
   CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(0UL, 0UL));
   CHECK(counts(curve, d + power_of_ten(-30)) == std::pair(2UL, 0UL));
+  // As two parts of one curve, which coincide where neither is: the resultant without that.
+  const PhPath parts =
+      test::chain({segment(curve, 0, Rational(3, 5)), segment(curve, Rational(3, 5), 1)});
+  const SelfIntersections split = self_intersections(offset(parts, d));
+  CHECK(split.is_complete());
+  REQUIRE(split.touching.size() == 1);
+  CHECK(split.touching[0].first_t.rational() == Rational(5, 12));
+  CHECK(split.touching[0].second_t.rational() == Rational(3, 8));
 }
 
 // With dr/du = (1 - 20/19 v)(1 + iu)^2 it is u (I + 2d/(1 + v)) with I = 1 - 13/19 v + 4/19 v^2.
@@ -458,7 +467,8 @@ TEST_CASE("offset: two cusps that meet on the axis of a mirrored curve") {
   CHECK(exact.is_complete());
   CHECK(exact.found.size() == 2);
   REQUIRE(exact.touching.size() == 1);
-  const auto& [first, s, second, t] = exact.touching[0];
+  const RealAlgebraic& s = exact.touching[0].first_t;
+  const RealAlgebraic& t = exact.touching[0].second_t;
   CHECK(approximate(enclose(s, 64)) == doctest::Approx(0.5 - 5 * std::sqrt(0.5) / 9));
   CHECK(approximate(enclose(t, 64)) == doctest::Approx(0.5 + 5 * std::sqrt(0.5) / 9));
   CHECK(counts(curve, d - power_of_ten(-60)) == std::pair(2UL, 0UL));
@@ -491,6 +501,86 @@ TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
   }
   CHECK(apart.found.size() == exact.found.size());
   CHECK(crossing.found.size() == exact.found.size() + 2);
+}
+
+TEST_CASE(
+    "offset: of parts of one curve it is told that they are apart, and not where they overlap") {
+  const Curve curve({{1}, {}, {}, {-1, 2}});
+  const OffsetBranches both{
+      {offset(curve, 1), offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1)},
+      {no_segment, no_segment}};
+  const CurveSeries series = plane_series(both.curves, both.behind);
+  ExactMeetings exact(both, series);
+  // The second one is the first from t = 1/2 to 1/2 + 1/128.
+  const CurvePart part{1, 0.5, 0.515625};
+  CHECK_FALSE(exact.between({{0, 0.5, 0.515625}, part}));
+  CHECK_FALSE(exact.between({{0, 0.25, 0.75}, part}));
+  const auto apart = exact.between({{0, 0.515625, 0.75}, part});
+  REQUIRE(apart);
+  CHECK(apart->crossings.empty());
+  CHECK(apart->touching.empty());
+}
+
+// Where A = t^2 + t - 1 has its root, the curves with w = A + iB and w = (A - 5iB)/7, B = 2t + 1,
+// have y = A^2 and y = -5/49 A^2, and one point: with x0 = 0 and -144/245 their x there are equal,
+// as the integrals of A^2 and B^2 from 0 to it are (-41 + 25 sqrt 5)/60 and (-1 + 5 sqrt 5)/6.
+TEST_CASE("offset: curves that touch at irrational parameters, miss each other, or cross twice") {
+  const Polynomial a{-1, 1, 1};
+  const Polynomial b{1, 2};
+  const Curve upper({a, {}, {}, b}, {1}, {0, 1, 0});
+  const auto meetings = [&](const Rational& gap) {
+    const Rational low = Rational(-5, 49) - gap;
+    const Vector<Rational> start{Rational(-144, 245), low, 0};
+    const Vector<Rational> end = evaluate(position(upper), 1);
+    PhPath path(upper);
+    const PhPath way = lines({end, {-10, 1, 0}, {-10, -10, 0}, {10, -10, 0}, {10, low, 0}, start});
+    for (const Curve& line : way.segments()) path.append(line);
+    path.append(Curve({Rational(1, 7) * a, {}, {}, Rational(-5, 7) * b}, {1}, start));
+    return self_intersections(offset(path, Rational(1, 2)));
+  };
+  const SelfIntersections exact = meetings(0);
+  CHECK(exact.is_complete());
+  REQUIRE(exact.touching.size() == 1);
+  CHECK(exact.touching[0].first_segment == 0);
+  CHECK(exact.touching[0].first_t == real_root(a, open_interval(0, 1)));
+  CHECK(exact.touching[0].second_t == real_root(a, open_interval(0, 1)));
+  const SelfIntersections apart = meetings(power_of_ten(-60));
+  const SelfIntersections crossing = meetings(-power_of_ten(-60));
+  for (const SelfIntersections& found : {apart, crossing}) {
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+  }
+  CHECK(apart.found.size() == exact.found.size());
+  CHECK(crossing.found.size() == exact.found.size() + 2);
+}
+
+// y = A^4 and y = A^3 touch y = 0 as above, with the same curvature; the second one crosses it
+// there.
+TEST_CASE("offset: a curve that osculates a line at an irrational parameter") {
+  const Polynomial a{-1, 1, 1};
+  const Polynomial b{1, 2};
+  const auto meetings = [&](const Polynomial& u, const Polynomial& q, const Rational& y) {
+    const Curve curve({u, {}, {}, q}, {1}, {0, y, 0});
+    PhPath path(curve);
+    const PhPath way = lines({evaluate(position(curve), 1),
+                              {-10, 1, 0},
+                              {-10, -10, 0},
+                              {10, -10, 0},
+                              {10, 0, 0},
+                              {-10, 0, 0}});
+    for (const Curve& line : way.segments()) path.append(line);
+    return self_intersections(offset(path, Rational(1, 2)));
+  };
+  const SelfIntersections touching = meetings(Rational(2) * pow(a, 3), b, 1);
+  CHECK(touching.is_complete());
+  REQUIRE(touching.touching.size() == 1);
+  CHECK(touching.touching[0].first_t == real_root(a, open_interval(0, 1)));
+  CHECK_FALSE(touching.touching[0].crosses);
+  const SelfIntersections crossing = meetings(pow(a, 2), Rational(3, 2) * b, -1);
+  CHECK(crossing.is_complete());
+  REQUIRE(crossing.touching.size() == 1);
+  CHECK(crossing.touching[0].crosses);
+  CHECK(crossing.touching[0].first_t == real_root(a, open_interval(0, 1)));
 }
 
 TEST_CASE("offset: no distance, and no plane z = const") {

@@ -1,0 +1,46 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "phrame/ph/offset/offset_meeting.hpp"
+
+namespace phrame::inline v0 {
+
+/// What two parts of boundary curves have in common.
+struct PartMeetings {
+  std::vector<Crossing> crossings;     ///< transversal ones
+  std::vector<KnownMeeting> touching;  ///< where they have one tangent
+};
+
+/// Decides by elimination where short parts meet, whatever is between them: P(s) = Q(t) are two
+/// polynomials in s and t, and all s of common points are the roots of their resultant. Where that
+/// has no root in a part, there is none, however near the curves are. Else each root s with each
+/// root t of the other resultant is a place that has one common point or none: Newton's method
+/// finds the simple ones, and of a multiple root it is decided in ℚ[s] modulo its minimal
+/// polynomial whether both polynomials have a root t in common.
+class ExactMeetings {
+ public:
+  ExactMeetings(const OffsetBranches& curves, const CurveSeries& series);
+  ~ExactMeetings();
+  ExactMeetings(const ExactMeetings&) = delete;
+  ExactMeetings& operator=(const ExactMeetings&) = delete;
+
+  /// No value where the parts are joined, or coincide somewhere, the resultant is too long (its
+  /// degree times its bits above 2·10⁷, or of all together above 2·10⁸), or three branches meet in
+  /// one point and two of them touch. Cost: one or two resultants for each pair of curves, of
+  /// degree 108 for offsets of quintics.
+  std::optional<PartMeetings> between(const UndecidedCrossing& place);
+
+ private:
+  class Pair;
+
+  Pair& pair_of(std::size_t first, std::size_t second);
+
+  const OffsetBranches& curves_;
+  const CurveSeries& series_;
+  long bits_left_ = 200'000'000;  ///< of resultants
+  std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Pair>> pairs_;
+};
+
+}  // namespace phrame
