@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves or refuses the claims of a certificate/1 (docs/certificate.md), with integers alone.
+"""Proves or refuses the claims of a certificate (docs/certificate.md), with integers alone.
 
 Everything is computed again from the curve. Identities of rational functions are checked as such; roots and
 residues are in discs by inequalities between integers; logarithms and arctangents come from power series in
@@ -17,6 +17,7 @@ from fractions import Fraction
 from functools import cache, cached_property, reduce
 from itertools import accumulate, combinations, combinations_with_replacement, takewhile
 from math import comb, gcd, isqrt
+from operator import mul
 from types import SimpleNamespace
 
 MAX_EXPONENT, MAX_COUNT, MAX_LENGTH = 10000, 1000000, 100000  # of decimals, of counts, of the text of a number
@@ -25,6 +26,8 @@ MAX_ZEROS = 20000000000  # the work of counting zeros, ten of it about a nanosec
 MAX_PARTS, MAX_HALVINGS = 2000000000, 40  # the work of telling crossings, in nanoseconds; of a segment
 PRIMES = [(1 << 127) - 1]  # for gcds; the next ones are found as they are needed
 TAKEN = SimpleNamespace(volume=0, zeros=0)  # of this file: what was read, and the work of counting zeros
+MAX_FORMULA, MAX_DEPTH, MAX_DIGITS, MAX_POWER, MAX_FOLDED, MAX_PIECES = 10000, 60, 5000, 1000, 4096, 1 << 30  # of
+# formulas: characters, parentheses, digits of a number, exponents, bits of numbers that make a number; so many pieces fit
 ROOT_BITS, FINE = 256, 64  # square roots keep 128 bits; distances get 64 bits more than the grid
 
 
@@ -441,6 +444,527 @@ def require_double(entry, low, high, what):
     require(is_next, "%s is not proved to be the double next to the exact number" % what)
 
 
+# Formulas: steps (operation, left, right), each the number of an earlier step, a number where that is one, or an exponent.
+
+FUNCTIONS = ("sin", "cos", "exp", "log", "sqrt", "atan")
+TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|\.[0-9]+(?:[eE][-+]?[0-9]+)?)|([A-Za-z_][A-Za-z_0-9]*)|(\*\*|[-+*/^()]))")
+
+
+class Formula:
+    """A function of one variable: its steps, and for each its rational number, where it is one by numbers alone."""
+
+    def __init__(self):
+        self.steps, self.numbers, self.known = [], [], {}
+
+    def step(self, *step):
+        """The number of the step, a new one where there is none."""
+        step += (None,) * (3 - len(step))
+        if step not in self.known:
+            self.known[step] = len(self.steps)
+            self.steps.append(step)
+            self.numbers.append(self.number_of(*step))
+        return self.known[step]
+
+    def number_of(self, operation, left, right):
+        if operation == "number":
+            return left
+        a, b = (self.numbers[k] if isinstance(k, int) else None for k in (left, right))
+        if a is None:
+            return None
+        if operation == "power":
+            is_short = right.denominator == 1 and right >= 0 and right * bits_of(a) <= MAX_FOLDED
+            return a ** int(right) if is_short else None
+        if b is None or operation not in "+*/" or bits_of(a, b) > MAX_FOLDED:
+            return None
+        return a + b if operation == "+" else a * b if operation == "*" else a / b if b else None
+
+    def negative(self, x):
+        return self.step("*", self.step("number", Fraction(-1)), x)
+
+    def texts(self):
+        """What each step is written as, and how tightly its outermost operation binds: 1 a sum, 2 a product, 3 a power."""
+        out = []
+
+        def within(part, rank):
+            text, own = part
+            return "(%s)" % text if own < rank else text
+
+        def number(x):
+            return str(x), 1 if x < 0 else 2 if x.denominator > 1 else 4
+        for operation, left, right in self.steps:
+            if operation == "number":
+                out.append(number(left))
+            elif operation in ("pi", "s"):
+                out.append((operation, 4))
+            elif operation == "+":
+                text = out[right][0]
+                out.append((out[left][0] + (" - " + text[1:] if text[0] == "-" else " + " + text), 1))
+            elif operation == "*" and out[left][0] == "-1":
+                out.append(("-" + within(out[right], 3), 1))
+            elif operation in "*/":
+                out.append((within(out[left], 2) + operation + within(out[right], 3), 2))
+            elif operation == "power":
+                out.append((within(out[left], 4) + "^" + within(number(right), 4), 3))
+            else:
+                out.append(("%s(%s)" % (operation, out[left][0]), 4))
+        return [text for text, _ in out]
+
+
+class FormulaReader:
+    """A text as steps of f: sums of products of signed powers. An exponent is a number, or f^g is exp(g log f)."""
+
+    def __init__(self, text, f, place, variable=None):
+        self.f, self.place, self.text, self.variable = f, place, text, variable
+        self.tokens, at, self.depth = [], 0, 0
+        while text[at:].strip():
+            match = TOKEN.match(text, at) or fail(place, "this is not understood", text[at:])
+            self.tokens.append(match.groups())
+            at = match.end()
+        self.tokens.reverse()
+
+    def take(self, *signs):
+        return self.tokens.pop()[2] if self.tokens and self.tokens[-1][2] in signs else None
+
+    def read(self):
+        found = self.sum()
+        return found if not self.tokens else fail(self.place, "this is no formula", self.text)
+
+    def sum(self):
+        a = self.product()
+        while sign := self.take("+", "-"):
+            b = self.product()
+            a = self.f.step("+", a, self.f.negative(b) if sign == "-" else b)
+        return a
+
+    def product(self):
+        a = self.signed()
+        while sign := self.take("*", "/"):
+            b = self.signed()
+            if sign == "/" and self.f.numbers[b] == 0:
+                fail(self.place, "a division by 0", self.text)
+            a = self.f.step(sign, a, b)
+        return a
+
+    def signed(self):
+        signs = ""
+        while sign := self.take("+", "-"):
+            signs += sign.replace("+", "")
+        a = self.power()
+        for _ in signs:
+            a = self.f.negative(a)
+        return a
+
+    def power(self):
+        (a, is_e), f = self.whole(), self.f
+        if not self.take("^", "**"):
+            return a
+        self.enter()
+        b = self.signed()
+        self.depth -= 1
+        k = f.numbers[b]
+        if k is None:
+            return f.step("exp", f.step("*", b, f.step("number", Fraction(1)) if is_e else f.step("log", a)))
+        if max(abs(k.numerator), k.denominator) > MAX_COUNT:
+            fail(self.place, "an exponent is too large", self.text)
+        return f.step("power", a, k)
+
+    def enter(self):
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            fail(self.place, "parentheses and exponents are more than %d deep" % MAX_DEPTH, self.text)
+
+    def whole(self):
+        """A number, a name, or what is in parentheses; and whether it is e."""
+        number, name, sign = self.tokens.pop() if self.tokens else (None,) * 3
+        f = self.f
+        if number:
+            exponent = re.split("[eE]", number + "e0")[1]
+            if len(exponent) > 5 or abs(int(exponent)) > MAX_DIGITS:
+                fail(self.place, "exponents of numbers are limited to %d" % MAX_DIGITS, number)
+            return f.step("number", Fraction(number)), False
+        if name == "pi":
+            return f.step("pi"), False
+        if name == "e" and self.variable != "e":
+            return f.step("exp", f.step("number", Fraction(1))), True
+        if sign == "(" or name in MEANINGS and self.take("("):
+            self.enter()
+            a = self.sum()
+            self.depth -= 1
+            if not self.take(")"):
+                fail(self.place, "a parenthesis is not closed", self.text)
+            return MEANINGS[name](f, a) if name else a, False
+        if name and name not in MEANINGS and self.variable in (None, name):
+            self.variable = name
+            return f.step("s"), False
+        return fail(self.place, "this is no formula", self.text)
+
+
+def quotient_of(above, below):
+    return lambda f, a: f.step("/", above(f, a), below(f, a))
+
+
+def named(name):
+    return lambda f, a: f.step(name, a)
+
+
+def whole_number(n):
+    return lambda f, a: f.step("number", Fraction(n))
+
+
+def of_exp(sign):
+    """exp a + exp -a or exp a - exp -a."""
+    def read(f, a):
+        up, down = f.step("exp", a), f.step("exp", f.negative(a))
+        return f.step("+", up, down if sign > 0 else f.negative(down))
+    return read
+
+
+def asin(f, a):
+    """atan(a/sqrt(1 - a^2))"""
+    rest = f.step("+", f.step("number", Fraction(1)), f.negative(f.step("power", a, Fraction(2))))
+    return f.step("atan", f.step("/", a, f.step("sqrt", rest)))
+
+
+def acos(f, a):
+    half = f.step("*", f.step("number", Fraction(1, 2)), f.step("pi"))
+    return f.step("+", half, f.negative(asin(f, a)))
+
+
+MEANINGS = {name: named(name) for name in FUNCTIONS}
+MEANINGS.update(ln=named("log"), arctan=named("atan"), tan=quotient_of(named("sin"), named("cos")), cot=quotient_of(named("cos"), named("sin")),
+                sec=quotient_of(whole_number(1), named("cos")), csc=quotient_of(whole_number(1), named("sin")),
+                sinh=quotient_of(of_exp(-1), whole_number(2)), cosh=quotient_of(of_exp(1), whole_number(2)),
+                tanh=quotient_of(of_exp(-1), of_exp(1)), asin=asin, acos=acos)
+
+
+def canonical(text, place):
+    """The text that is written of what is read of it, until it does not change any more."""
+    for _ in range(6):
+        reader = FormulaReader(text, Formula(), place, "s")
+        step = reader.read()
+        if reader.f.texts()[step] == text:
+            return text
+        text = reader.f.texts()[step]
+    return fail(place, "this formula has no one form", text)
+
+
+# Taylor models: a pair (P, r) of integers P[k], at most n, the last not 0, and r says that |f(z) - sum P[k] z^k/2^B| <= r/2^B for
+# -1 <= z <= 1. Where a value is 0 exactly, it is ([], 0).
+
+def lengths(P):
+    """No less than |P(z)|."""
+    return sum(map(abs, P))
+
+
+def convolved(P, Q):
+    """P Q, from the product of two long integers, in which each coefficient has its own bytes, and half of their range added."""
+    if min(len(P), len(Q)) < 2:
+        return [x * y for x in P for y in Q]
+    width = (max(map(abs, P)).bit_length() + max(map(abs, Q)).bit_length() + min(len(P), len(Q)).bit_length()) // 8 + 1
+    half, n = 1 << 8 * width - 1, len(P) + len(Q) - 1
+    halves = half.to_bytes(width, "little") * n
+
+    def packed(A):
+        data = b"".join([(x + half).to_bytes(width, "little") for x in A])
+        return int.from_bytes(data, "little") - int.from_bytes(halves[:len(data)], "little")
+    data = (packed(P) * packed(Q) + int.from_bytes(halves, "little")).to_bytes(n * width, "little")
+    return [int.from_bytes(data[k:k + width], "little") - half for k in range(0, n * width, width)]
+
+
+def summed(P, Q, sign=1):
+    """P + Q, or P - Q."""
+    n = max(len(P), len(Q))
+    return stripped([x + sign * y for x, y in zip(P + [0] * (n - len(P)), Q + [0] * (n - len(Q)))])
+
+
+def floor_of(bounds, B):
+    """[x 2^B] of an x that is no multiple of 2^-B, from bounds(P) = (a, b), a <= x 2^P <= b."""
+    P = B + 64
+    while True:
+        low, high = (x >> P - B for x in bounds(P))
+        if low == high:
+            return low
+        P += P
+
+
+def exp_bounds(x, P):
+    """Of exp(x): with |y| = |x|/2^h < 1/2 Taylor's terms, each half of the one before, are off by less than 6, and fewer than P."""
+    h = 1 + (abs(x.numerator) // x.denominator).bit_length()
+    y, total, term, k = (x.numerator << P) // (x.denominator << h), 0, 1 << P, 0
+    while term not in (0, -1):
+        total += term
+        k += 1
+        term = (term * y >> P) // k
+    low, high = total - 6 * P - 12, total + 6 * P + 12
+    for _ in range(h):
+        low, high = low * low >> P, (high * high >> P) + 1
+    return low, high
+
+
+@cache
+def fixed_point(P):
+    return Fixed(P)
+
+
+def logarithm_bounds(x, P):
+    n, off = fixed_point(P).ln(x.numerator, x.denominator)
+    return n - off, n + off
+
+
+def arctan_bounds(x, P):
+    n = fixed_point(P).arctan(x.numerator, x.denominator)
+    return n - 25 * P, n + 25 * P
+
+
+def pi_bounds(P):
+    n = 4 * fixed_point(P).arctan_table[8]
+    return n - 100 * P, n + 100 * P
+
+
+def cos_sin_bounds(x, P, side):
+    found = cos_sin(x, P)
+    return found[side] - found[2], found[side] + found[2]
+
+
+class Models:
+    """Arithmetic of Taylor models with at most n integers in units of 2^-B. Each is no more than 2^1000."""
+
+    def __init__(self, n, B):
+        self.n, self.B = n, B
+
+    def checked(self, P, r):
+        require(lengths(P) + r <= 1 << self.B + 1000, "a value is greater than 2^1000")
+        return stripped(P), r
+
+    def number(self, x):
+        n = (x.numerator << self.B) // x.denominator
+        return self.checked([n], 0 if n * x.denominator == x.numerator << self.B else 1)
+
+    def plus(self, a, b):
+        return summed(a[0], b[0]), a[1] + b[1]
+
+    def scaled(self, a, x):
+        """x a for a rational number x."""
+        P = [c * x.numerator // x.denominator for c in a[0]]
+        return self.checked(P, -(-a[1] * abs(x.numerator) // x.denominator) + (len(P) if x.denominator > 1 else 0))
+
+    def dot(self, a, b):
+        return reduce(self.plus, map(self.times, a, b))
+
+    def minus(self, a, b):
+        return self.plus(a, self.scaled(b, Fraction(-1)))
+
+    def cross(self, a, b):
+        return [self.minus(self.times(a[i], b[j]), self.times(a[j], b[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
+
+    def times(self, a, b):
+        """What is beyond n, and what the radii make of the other factor, is in the radius, and less than 1 for each rounding."""
+        (P, r), (Q, s) = a, b
+        if not P and not r or not Q and not s:
+            return [], 0
+        R = convolved(P, Q)
+        kept = [x >> self.B for x in R[:self.n]]
+        off = lengths(R[self.n:]) + lengths(P) * s + r * (lengths(Q) + s)
+        return self.checked(kept, len(kept) + 1 + (off >> self.B))
+
+    def least(self, a, what):
+        """Twice P(0) less ||P|| and r: no more than the values, if it is positive."""
+        m = (2 * a[0][0] if a[0] else 0) - lengths(a[0]) - a[1]
+        require(m > 0, what)
+        return m
+
+    def series(self, P, first, term):
+        """The integers first, term(1, so far), ..., n of them; of a constant the first alone."""
+        out = [first]
+        for k in range(1, self.n if len(P) > 1 else 1):
+            out.append(term(k, out))
+        return out
+
+    def inverse(self, a):
+        """I with |I - 1/f| = |If - 1|/|f|, If - 1 = (IP - 1) + I(f - P)."""
+        P, r = a
+        if P and P[0] < 0:
+            I, off = self.inverse(([-x for x in P], r))
+            return [-x for x in I], off
+        m, one = self.least(a, "a divisor may be 0"), 1 << 2 * self.B
+        I = self.series(P, one // P[0], lambda k, I: -sum(map(mul, P[1:k + 1], I[k - 1::-1])) // P[0])
+        return self.checked(I, (lengths(summed(convolved(I, P), [one], -1)) + lengths(I) * r) // m + 1)
+
+    def root(self, a):
+        """R with |R - sqrt f| = |R^2 - f|/(R + sqrt f): R^2 > 0 all along and R(0) > 0, so R > 0."""
+        (P, r), B = a, self.B
+        m = self.least(a, "the square root of a number that may be negative or 0")
+        first = isqrt(P[0] << B)
+        R = self.series(P, first, lambda k, R: (((P[k] << B) if k < len(P) else 0) - sum(map(mul, R[1:], R[:0:-1]))) // (2 * first))
+        off = lengths(summed(convolved(R, R), [x << B for x in P], -1)) + (r << B)
+        require(off < m << B, "a square root is too inaccurate")
+        return self.checked(R, off // isqrt(m << B) + 1)
+
+    def exp(self, a):
+        """With P = c + Q and (E e^-Q)' = (E' - Q'E)e^-Q the E of the series is E(0)e^Q but for ||E' - Q'E|| g^2, g >= e^||Q||."""
+        (P, r), B = a, self.B
+        c, slope = Fraction(P[0] if P else 0, 1 << B), derived(P)
+        size = -(-lengths(P[1:]) >> B)
+        require(abs(c) <= 700 and size <= 64 and r <= 1 << B, "an exponent is too great, or not known")
+        first = floor_of(lambda p: exp_bounds(c, p), B) if c else 1 << B
+        E = self.series(P, first, lambda k, E: sum(map(mul, slope, E[::-1])) // (k << B))
+        g, off = 3 ** size, lengths(summed([x << B for x in derived(E)], convolved(slope, E), -1))
+        off = (off * g * g >> B) + 1 + g
+        return self.checked(E, off + (2 * r * (lengths(E) + off) >> B) + 1)
+
+    def cos_sin(self, a):
+        """Of P = c + Q both: E = C + iS has ((E e^-iQ)' = (E' - iQ'E)e^-iQ, and |e^-iQ| = 1."""
+        (P, r), B = a, self.B
+        c, slope = Fraction(P[0] if P else 0, 1 << B), derived(P)
+        require(abs(c) <= 1 << 64, "an angle is too great")
+        C, S = [floor_of(lambda p: cos_sin_bounds(c, p, side), B) for side in (0, 1)] if c else (1 << B, 0)
+        C, S = [C], [S]
+        for k in range(1, self.n if slope else 1):
+            s = [sum(map(mul, slope, A[::-1])) for A in (S, C)]
+            C.append(-s[0] // (k << B))
+            S.append(s[1] // (k << B))
+        off = (lengths(summed([x << B for x in derived(C)], convolved(slope, S)))
+               + lengths(summed([x << B for x in derived(S)], convolved(slope, C), -1)))
+        return [self.checked(A, (off >> B) + 3 + r) for A in (C, S)]
+
+    def log(self, a):
+        """L with |L - log P| <= ||L'P - P'||/m + 1 by the rounding of L(0), and |log f - log P| <= r/m."""
+        (P, r), B = a, self.B
+        m, c = self.least(a, "the logarithm of a number that may be negative or 0"), Fraction(P[0], 1 << B)
+        first = floor_of(lambda p: logarithm_bounds(c, p), B) if c != 1 else 0
+
+        def term(k, L):
+            rest = sum(x * y * j for j, (x, y) in enumerate(zip(L, P[k::-1] if k < len(P) else [0] * (k - len(P) + 1) + P[::-1])))
+            return (((k * P[k] << B) if k < len(P) else 0) - rest) // (k * P[0])
+        L = self.series(P, first, term)
+        off = lengths(summed(convolved(derived(L), P), [x << B for x in derived(P)], -1))
+        return self.checked(L, (off + (r << B)) // m + 2)
+
+    def atan(self, a):
+        """A with A'W = P' but for a rest, W = 1 + P^2 >= 1."""
+        (P, r), B = a, self.B
+        c, W = Fraction(P[0] if P else 0, 1 << B), summed(convolved(P, P), [1 << 2 * B])
+        first = floor_of(lambda p: arctan_bounds(c, p), B) if c else 0
+
+        def term(k, A):
+            rest = sum(x * y * j for j, (x, y) in enumerate(zip(A, W[k::-1] if k < len(W) else [0] * (k - len(W) + 1) + W[::-1])))
+            return (((k * P[k] << 2 * B) if k < len(P) else 0) - rest) // (k * W[0])
+        A = self.series(P, first, term)
+        off = lengths(summed(convolved(derived(A), W), [x << 2 * B for x in derived(P)], -1))
+        return self.checked(A, (off >> 2 * B) + 2 + r)
+
+
+class Jets:
+    """Arithmetic of jets: lists of J + 1 Taylor models f_j, of the function f(z, x) = sum f_j x^j, x a step of the parameter t."""
+
+    def __init__(self, models, J):
+        self.m, self.J = models, J
+
+    def plus(self, a, b):
+        return [self.m.plus(x, y) for x, y in zip(a, b)]
+
+    def scaled(self, a, x):
+        return [self.m.scaled(y, x) for y in a]
+
+    def sum_of(self, k, a, b, weight=lambda j: 1):
+        """The sum of weight(j) a_j b_(k-j)."""
+        total = [], 0
+        for j in range(k + 1):
+            if weight(j):
+                total = self.m.plus(total, self.m.scaled(self.m.times(a[j], b[k - j]), Fraction(weight(j))))
+        return total
+
+    def times(self, a, b):
+        return [self.sum_of(k, a, b) for k in range(self.J + 1)]
+
+    def recursive(self, first, next_one):
+        """first, next_one(1, so far), ...; to what is not yet there the terms of the sums have the weight 0."""
+        out = [first] + [([], 0)] * self.J
+        for k in range(1, self.J + 1):
+            out[k] = next_one(k, out)
+        return out
+
+    def over(self, a, b):
+        """b q = a."""
+        i = self.m.inverse(b[0])
+        return self.recursive(self.m.times(a[0], i), lambda k, q: self.m.times(i, self.m.minus(
+            a[k], self.sum_of(k, q, b, lambda j: j < k))))
+
+    def root(self, a):
+        """R R = a."""
+        first = self.m.root(a[0])
+        i = self.m.inverse(first)
+        return self.recursive(first, lambda k, R: self.m.scaled(self.m.times(i, self.m.minus(
+            a[k], self.sum_of(k, R, R, lambda j: 0 < j < k))), Fraction(1, 2)))
+
+    def exp(self, a):
+        """E' = a'E."""
+        return self.recursive(self.m.exp(a[0]), lambda k, E: self.m.scaled(self.sum_of(k, a, E, lambda j: j), Fraction(1, k)))
+
+    def cos_sin(self, a):
+        """C' = -a'S, S' = a'C."""
+        C, S = ([x] + [([], 0)] * self.J for x in self.m.cos_sin(a[0]))
+        for k in range(1, self.J + 1):
+            c, s = (self.sum_of(k, a, A, lambda j: j) for A in (S, C))
+            C[k], S[k] = self.m.scaled(c, Fraction(-1, k)), self.m.scaled(s, Fraction(1, k))
+        return C, S
+
+    def of_slope(self, first, a, w):
+        """L with L' w = a'."""
+        i = self.m.inverse(w[0])
+        return self.recursive(first, lambda k, L: self.m.times(i, self.m.minus(
+            a[k], self.m.scaled(self.sum_of(k, L, w, lambda j: j if j < k else 0), Fraction(1, k)))))
+
+    def log(self, a):
+        return self.of_slope(self.m.log(a[0]), a, a)
+
+    def atan(self, a):
+        return self.of_slope(self.m.atan(a[0]), a, self.plus(self.times(a, a), self.number(Fraction(1))))
+
+    def number(self, x):
+        return [self.m.number(x)] + [([], 0)] * self.J
+
+    def power(self, a, k):
+        """By squares from the first bit on; with a fraction for exponent exp(k log a)."""
+        if k.denominator > 1:
+            return self.exp(self.scaled(self.log(a), k))
+        product = a if k else self.number(Fraction(1))
+        for bit in bin(abs(k.numerator))[3:]:
+            product = self.times(product, product)
+            if bit == "1":
+                product = self.times(product, a)
+        return product if k >= 0 else self.over(self.number(Fraction(1)), product)
+
+    def values(self, f, variable):
+        """Of all steps of f."""
+        out, turned = [], {}
+        for (operation, left, right), number in zip(f.steps, f.numbers):
+            a, b = (out[k] if isinstance(k, int) else None for k in (left, right))
+            if number is not None:
+                value = self.number(number)
+            elif operation == "pi":
+                value = self.of_pi()
+            elif operation == "s":
+                value = variable
+            elif operation == "*" and any(f.numbers[k] is not None for k in (left, right)):
+                value = self.scaled(b, f.numbers[left]) if f.numbers[left] is not None else self.scaled(a, f.numbers[right])
+            elif operation in ("sin", "cos"):
+                if left not in turned:
+                    turned[left] = self.cos_sin(a)
+                value = turned[left][operation == "sin"]
+            elif operation == "power":
+                value = self.power(a, right)
+            elif operation in "+*/":
+                value = {"+": self.plus, "*": self.times, "/": self.over}[operation](a, b)
+            else:
+                value = {"exp": self.exp, "log": self.log, "sqrt": self.root, "atan": self.atan}[operation](a)
+            out.append(value)
+        return out
+
+    def of_pi(self):
+        return [([floor_of(pi_bounds, self.m.B)], 1)] + [([], 0)] * self.J
+
+
 # Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
 # a function of a value and its place (a JSON pointer), which returns what it reads.
 
@@ -751,6 +1275,38 @@ def work_of_closed(P, value):
     return total
 
 
+def formula(variable):
+    """A text that is as it would be written again, with few parentheses and small exponents."""
+    def leaf(value, place):
+        is_short = isinstance(value, str) and len(value) <= MAX_FORMULA and value.isascii()
+        if not is_short or max(accumulate((c == "(") - (c == ")") for c in value), default=0) > MAX_DEPTH:
+            fail(place, "a formula of at most %d characters, %d parentheses deep, is wanted" % (MAX_FORMULA, MAX_DEPTH), value)
+        if max(map(len, re.findall("[0-9]+", value)), default=0) > MAX_DIGITS:
+            fail(place, "numbers of at most %d digits are wanted" % MAX_DIGITS, value)
+        reader = FormulaReader(value, Formula(), place, variable)
+        step = reader.read()
+        if reader.f.texts()[step] != value:
+            fail(place, "this formula is not written as it would be written again", value)
+        if any(max(abs(x.numerator), x.denominator) > MAX_POWER for name, _, x in reader.f.steps if name == "power"):
+            fail(place, "exponents are limited to %d" % MAX_POWER, value)
+        return value
+    return leaf
+
+
+ENDS, JETS = ("from", "to"), {"none": 1, "up": 2, "frenet": 3}  # which derivatives of r a rate has
+EXPRESSIONS = {**{key: formula("s") for key in AXES}, **{key: formula("") for key in ENDS}}
+
+
+def complete_formulas(C):
+    """The steps of the coordinates and of the ends."""
+    C.texts, C.f, C.ends = vars(C.expressions), Formula(), Formula()
+    C.steps = {key: FormulaReader(text, C.ends if key in ENDS else C.f, "", "s").read() for key, text in C.texts.items()}
+
+
+def is_rational(f):
+    return all(name in ("number", "s", *"+*/") or name == "power" and x.denominator == 1 for name, _, x in f.steps)
+
+
 def read_of_integral(value, limits):
     """The same of an integral-certificate/1."""
     TAKEN.volume = TAKEN.zeros = 0
@@ -759,6 +1315,9 @@ def read_of_integral(value, limits):
     piece = {"to": rational, "root": [integer], "rate": [integer], "root_bits": at_least(0, count), "rate_bits": at_least(0, count)}
     weight = expect(lambda w: w.c and w.c[0], "it is 0 at t = 0", some)
     segment = {"x": some, "y": some, "z": some, "w": weight, "square": nonzero(some), "pieces": [piece]}
+    parts = value.get("segments")
+    if isinstance(parts, list) and len(parts) == 1 and isinstance(parts[0], dict) and "expressions" in parts[0]:
+        segment = {"expressions": EXPRESSIONS, "pieces": [{"to": rational, "order": at_least(2, count), "bits": at_least(0, count)}]}
     form = {"phrame": one_of("integral-certificate/1"), "name": string, "frame": one_of("up", "frenet", "none"),
             "segments": expect(bool, "a segment is wanted", [segment]),
             "claims": [{"t": rational, name: decimal, "radius": bound}]}
@@ -773,6 +1332,11 @@ def work_of_integral(P):
     """What it takes to check it, in the units of the page."""
     total, longest = TAKEN.volume ** 2 // 63000, 0
     for C in P.segments:
+        if hasattr(C, "expressions"):
+            complete_formulas(C)
+            total += work_of_models(C, P.frame)
+            longest = max([piece.order for piece in C.pieces], default=0)
+            continue
         lists = [C.x, C.y, C.z, C.w, C.square]
         d, a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
         total += 3000 * d ** 3 * (1 + a // 64) + 2 * d ** 2 * a ** 2
@@ -789,9 +1353,41 @@ def work_of_integral(P):
     return total
 
 
+def work_of_steps(f):
+    """How many functions and quotients, and how many products there are; sine and cosine of one angle are one."""
+    functions, products, angles = 0, 0, set()
+    for (name, left, right), number in zip(f.steps, f.numbers):
+        if number is not None or name in ("pi", "s", "+"):
+            continue
+        if name == "*":
+            products += f.numbers[left] is None and f.numbers[right] is None
+        elif name == "power":
+            functions += 2 * (right.denominator > 1) + (right < 0)
+            products += 2 * right.numerator.bit_length()
+        elif name not in ("sin", "cos") or left not in angles:
+            functions += 2 if name == "atan" else 1
+            angles |= {left} if name in ("sin", "cos") else set()
+    return functions, products
+
+
+def work_of_models(C, frame):
+    """The same of a curve by formulas."""
+    (a, b), (c, d) = work_of_steps(C.f), work_of_steps(C.ends)
+    J, steps, total = JETS[frame], len(C.f.steps) + len(C.ends.steps), 0
+    weight = 6 * J * (a + c) + J * (b + d) + 20
+    for piece in C.pieces:
+        n, b = piece.order, piece.bits + bits_of(piece.to)
+        total += weight * (n * n * b * (2000 + b) // 8000 + 1500 * n) + 20 * b * b + steps * J * (200 * n + 10000)
+    return total
+
+
 def complete_integral(P):
     """What is derived from X/W, and refused where that is a point."""
     for k, C in enumerate(P.segments):
+        if hasattr(C, "expressions"):
+            if is_rational(C.f) and is_rational(C.ends):
+                fail("/segments/0/expressions", "these are rational functions, for which x, y, z and w are", C.texts)
+            continue
         C.X, C.W = [C.x, C.y, C.z], C.w
         slope = C.W.derivative()
         C.velocity = [x.derivative() * C.W - x * slope for x in C.X]  # W^2 r'
@@ -873,8 +1469,14 @@ def exact_form(hodograph, over, start):
 
 
 def hash_of(curves):
-    """Of r' and r(0) of each curve, one behind the other."""
-    return hashlib.sha256("".join(exact_form(*curve) for curve in curves).encode("ascii")).hexdigest()
+    """Of r' and r(0) of each curve, one behind the other; of a curve by formulas of its texts."""
+    forms = [curve if isinstance(curve, str) else exact_form(*curve[:3]) for curve in curves]
+    return hashlib.sha256("".join(forms).encode("ascii")).hexdigest()
+
+
+def form_of_texts(texts):
+    """The exact form of a curve by formulas."""
+    return "".join("%s %s\n" % (key, texts[key]) for key in (*AXES, *ENDS))
 
 
 def from_bernstein(c):
@@ -904,12 +1506,34 @@ def position_of(hodograph, over, start):
     return (X, W) if is_that else fail("", "the curve is not rational", None)
 
 
+def texts_of(value):
+    """Of a curve/1 with formulas, as a certificate has them."""
+    given, variable = value["expressions"], None
+    if not isinstance(given, dict) or not {"x", "y"} <= set(given) <= {*AXES, *ENDS, "variable"}:
+        fail("/expressions", "an object with x, y, perhaps z, from, to and variable is wanted", given)
+    require_keys(value, "", "phrame", "expressions", "variable", *ENDS)
+    every = {"z": 0, **value, **given}
+    variable = every.get("variable")
+    texts = {}
+    for key in (*AXES, *ENDS):
+        place, text = "/expressions/" + key, every.get(key)
+        text = str(Fraction(str(text))) if type(text) in (int, float) else string(text, place)
+        reader = FormulaReader(text, Formula(), place, "" if key in ENDS else variable)
+        step = reader.read()
+        variable = variable if key in ENDS else reader.variable
+        texts[key] = canonical(reader.f.texts()[step], place)
+    return texts
+
+
 def read_curves(name, limits):
-    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1, but for formulas, or of a spline/1 of these; numbers
-    as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
+    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 or of a spline/1 of these, but for formulas; or the exact form of
+    one curve/1 by formulas; numbers as these files have them, but for hexadecimal ones. A segment without a start goes on where
+    the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
     kind = one_of("curve/1", "spline/1")(value.get("phrame") if isinstance(value, dict) else None, "/phrame")
     is_spline = kind == "spline/1"
+    if "expressions" in value:
+        return [form_of_texts(texts_of(value))]
     if is_spline:
         require_keys(value, "", "phrame", "segments", "frame")
         expect(bool, "a segment is wanted", [lambda value, place: value])(value.get("segments"), "/segments")
@@ -1487,9 +2111,7 @@ class Proof(Statements):
 
 def require_same(own, curves):
     """Both have the same r' and r(0)."""
-    others = [curve[:3] for curve in curves]
-    require([(list(h), d, list(s)) for h, d, s in own] == [(list(h), d, list(s)) for h, d, s in others],
-            "that one has sha256 %s" % hash_of(others))
+    require(hash_of(own) == hash_of(curves), "that one has sha256 %s" % hash_of(curves))
 
 
 class PathProof(Statements):
@@ -1835,7 +2457,8 @@ class IntegralProof(Statements):
         self.up = getattr(P, "up", None)
 
     def curves(self):
-        return [(*in_lowest_terms(C.velocity, C.W * C.W), [x(0) / C.W(0) for x in C.X]) for C in self.parts]
+        return [form_of_texts(C.texts) if hasattr(C, "texts") else
+                (*in_lowest_terms(C.velocity, C.W * C.W), [x(0) / C.W(0) for x in C.X]) for C in self.parts]
 
     def is_of(self, curves):
         require_same(self.curves(), curves)
@@ -1843,6 +2466,10 @@ class IntegralProof(Statements):
     def run(self):
         """All statements: a list of (is proved, line)."""
         for k, C in enumerate(self.parts):
+            if hasattr(C, "texts"):
+                C.needed = ["pieces of segment %d" % k]
+                self.state(*C.needed, self.pieces, (), C)
+                continue
             names = ["%s of segment %d" % (what, k) for what in ("weight", "rate", "pieces")]
             C.needed = names[1:] if C.W.is_constant() else names
             if not C.W.is_constant():
@@ -1911,9 +2538,10 @@ class IntegralProof(Statements):
         C.enclosed, start, low, high = [], Fraction(0), 0, 0
         for k, piece in enumerate(C.pieces):
             require(start < piece.to <= 1, "piece %d is empty, or ends beyond 1" % k)
-            bounds = self.enclosure(C, k, piece, start)
+            bounds = (self.enclosure_of_formulas if hasattr(C, "texts") else self.enclosure)(C, k, piece, start)
             C.enclosed.append((start, low, high, bounds))
             start, (low, high) = piece.to, (x + y for x, y in zip((low, high), bounds(piece.to)))
+        require(start == 1 or not hasattr(C, "texts"), "the pieces end before 1")
         C.enclosed.append((start, low, high, None))
 
     def enclosure(self, C, k, piece, start):
@@ -1929,13 +2557,45 @@ class IntegralProof(Statements):
         Nu = N * u
         error = (size(Nu - D * p) + size(Nu) * delta / (1 - delta)) / least
         sign = sign_on_piece(C.f, m, h) if self.frame == "none" else 1
-        F, grid = integral_of(p), 1 << piece.rate_bits + 64 + h.denominator.bit_length()
+        return self.integral_bounds(p, error, sign, m, h, piece.rate_bits)
+
+    def integral_bounds(self, p, error, sign, m, h, bits):
+        """Of the integral of the rate that p is within `error` but for its sign, from m - h to t, as a function of t."""
+        F, grid = integral_of(p), 1 << bits + 64 + h.denominator.bit_length()
 
         def bounds(t):
-            value, off = h * (F((t - m) / h) - F(Fraction(-1))) * sign, error * (t - start)
-            low, high = (value - off, value + off) if sign else (0, (size(p) + error) * (t - start))
+            value, off = h * (F((t - m) / h) - F(Fraction(-1))) * sign, error * (t - m + h)
+            low, high = (value - off, value + off) if sign else (0, (size(p) + error) * (t - m + h))
             return Fraction(low * grid // 1, grid), Fraction(-(-high * grid // 1), grid)
         return bounds
+
+    def enclosure_of_formulas(self, C, k, piece, start):
+        """The same of the rate that follows from the formulas, as a Taylor model: r_j is the j-th derivative of r over j!."""
+        m, h, models = (start + piece.to) / 2, (piece.to - start) / 2, Models(piece.order, piece.bits)
+        require(piece.to - start >= Fraction(1, MAX_PIECES), "piece %d is too short" % k)
+        jets = Jets(models, JETS[self.frame])
+        ends = jets.values(C.ends, None)
+        a, b = (ends[C.steps[key]][0] for key in ENDS)
+        t, span = models.plus(models.number(m), models.scaled(([0, 1 << piece.bits], 0), h)), models.minus(b, a)
+        s = [models.plus(a, models.times(span, t)), span] + [([], 0)] * (jets.J - 1)
+        values = jets.values(C.f, s)
+        r = [[values[C.steps[key]][j] for key in AXES] for j in range(jets.J + 1)]
+        S = models.dot(r[1], r[1])
+        require(models.least(S, "r' may be 0 on piece %d" % k) << 1000 >= 1 << piece.bits, "r' is too small on piece %d" % k)
+        root = models.root(S)
+        if self.frame == "none":
+            rate = root
+        elif self.frame == "up":
+            v = [models.number(Fraction(x)) for x in self.up]
+            across = models.cross(v, r[1])
+            N = models.scaled(models.times(models.dot(v, r[1]), models.dot(across, r[2])), Fraction(-2))
+            rate = models.times(models.times(N, models.inverse(models.dot(across, across))), models.inverse(root))
+        else:
+            bend = models.cross(r[1], r[2])
+            N = models.scaled(models.dot(bend, r[3]), Fraction(-3))
+            rate = models.times(models.times(N, models.inverse(models.dot(bend, bend))), root)
+        P, off = rate
+        return self.integral_bounds(Poly(P, 1 << piece.bits), Fraction(off, 1 << piece.bits), 1, m, h, piece.bits)
 
     def bounds(self, k, t):
         """Of the integral along segment k from 0 to t."""
@@ -1990,6 +2650,7 @@ class IntegralProof(Statements):
     def table(self, rows):
         """As above, e2 and e3 being those of the frame of v. The first frame is cos phi e2 + sin phi e3, ...."""
         require(self.frame == "up", "the angles are not those to the frame of a vector")
+        require(not hasattr(self.parts[0], "texts"), "there are none of curves by formulas")
         wanted = len(self.claims)
         require(len(rows) == wanted, "it has %d rows, and there are %d angles" % (len(rows), wanted))
         self.rest_on([name for C in self.parts for name in C.needed if name.startswith(("weight", "joint"))])
@@ -2094,7 +2755,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1, but for formulas, or a spline/1")
+                        help="the curve it must be of: a curve/1, or a spline/1 without formulas")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

@@ -78,12 +78,15 @@ void bind_certificate(nb::module_& m, PathClass& path) {
     const auto ts = at.is_none() ? std::vector{along.end()} : rationals(at, "at");
     const long n = count(digits, "digits", 1, 100'000);
     const bool is_about_closed = holonomy || writhe;
+    const auto of_integral = [&](IntegralCertificate c) -> CertificateObject {
+      return {with_canonical_formulas(std::move(c)), self.named.name};
+    };
     if (length) {
       if (is_about_closed)
         refuse("length", "holonomy and writhe are not beside lengths", nb::bool_(true));
       if (!frame.is_none() || !up.is_none())
         refuse("length", "the length has no frame", nb::bool_(true));
-      return {without_gil([&] { return certify_length(along, ts, n); }), self.named.name};
+      return of_integral(without_gil([&] { return certify_length(along, ts, n); }));
     }
     const auto ph = with_preimages(self.named);
     const bool is_to_erf = ph && up.is_none() && (frame.is_none() || text(frame, "frame") == "erf");
@@ -98,7 +101,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
       const PathAngle angle = reference == Reference::up
                                   ? angle_to_up(along, up)
                                   : without_gil([&] { return PathAngle(along, reference); });
-      return {without_gil([&] { return certify(angle, ts, n); }), self.named.name};
+      return of_integral(without_gil([&] { return certify(angle, ts, n); }));
     }
     return without_gil([&]() -> CertificateObject {
       if (is_of_one && !is_about_closed)
@@ -106,19 +109,20 @@ void bind_certificate(nb::module_& m, PathClass& path) {
       return {certify(ph.value().path, ts, n, {holonomy, writhe}), self.named.name};
     });
   };
-  path.def("certify", certify_path, argument("at") = nb::none(), argument("digits") = 50,
-           argument("frame") = nb::none(), argument("up") = nb::none(), argument("length") = false,
-           argument("holonomy") = false, argument("writhe") = false,
-           nb::sig("def certify(self, at: Numbers | None = None, digits: int = 50, "
-                   "frame: str | None = None, up: Vector | None = None, length: bool = False, "
-                   "holonomy: bool = False, writhe: bool = False) -> Certificate"),
-           "Angles, by default the one at the end, with what proves them, and of one PH curve what "
-           "kinds it is of; or lengths from the start. The frame is \"erf\" (default of PH curves, "
-           "which alone have it), \"up\" (default of others), that of the vector `up`, or "
-           "\"frenet\". There are none of formulas. Of a "
-           "closed path of "
-           "PH curves also the holonomy, and the writhe with all crossings that are seen along a "
-           "vector.");
+  path.def(
+      "certify", certify_path, argument("at") = nb::none(), argument("digits") = 50,
+      argument("frame") = nb::none(), argument("up") = nb::none(), argument("length") = false,
+      argument("holonomy") = false, argument("writhe") = false,
+      nb::sig("def certify(self, at: Numbers | None = None, digits: int = 50, "
+              "frame: str | None = None, up: Vector | None = None, length: bool = False, "
+              "holonomy: bool = False, writhe: bool = False) -> Certificate"),
+      "Angles, by default the one at the end, with what proves them, and of one PH curve what "
+      "kinds it is of; or lengths from the start. The frame is \"erf\" (default of PH curves, "
+      "which alone have it), \"up\" (default of others), that of the vector `up`, or "
+      "\"frenet\". There are none of paths of several segments some of which are by formulas. Of a "
+      "closed path of "
+      "PH curves also the holonomy, and the writhe with all crossings that are seen along a "
+      "vector.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;
   const auto from_json = [](const Text<"text">& text) {

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "phrame/cli/command.hpp"
+#include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/write/certificate.hpp"
 #include "phrame/ph/proof/certify_integral.hpp"
 #include "phrame/ph/proof/path_certificate.hpp"
@@ -30,6 +31,10 @@ std::string certified(const NamedPhPath& named, Reference reference,
   return write_certificate(certify(path, at, options.digits, options.closed), name);
 }
 
+std::string certified(const IntegralCertificate& c, const NamedPath& named) {
+  return write_certificate(with_canonical_formulas(c), named.name);
+}
+
 void run(const CertifyOptions& options) {
   std::optional<Reference> asked;
   if (!options.frame.empty()) asked = chosen_reference(options.frame);
@@ -42,8 +47,7 @@ void run(const CertifyOptions& options) {
   std::vector<Rational> at = options.parameters.fractions_on(named);
   if (at.empty()) at.push_back(path.end());
   const auto write = [&](const std::string& text) { write_output(options.curve.output, text); };
-  if (options.of_length)
-    return write(write_certificate(certify_length(path, at, options.digits), named.name));
+  if (options.of_length) return write(certified(certify_length(path, at, options.digits), named));
   const auto v = options.up.chosen(path);
   // Of rational PH curves, too, which other angles are not measured from by themselves.
   const Reference reference =
@@ -55,7 +59,7 @@ void run(const CertifyOptions& options) {
   if (reference == Reference::euler_rodrigues ||
       (reference == Reference::frenet && ph && ph->path.is_curve()))
     return write(certified(ph.value(), reference, at, options));
-  write(write_certificate(certify(angle_to(v, path, asked), at, options.digits), named.name));
+  write(certified(certify(angle_to(v, path, asked), at, options.digits), named));
 }
 
 }  // namespace
@@ -83,8 +87,8 @@ void add_certify(Program& program) {
   command.set_notes(
       "Without --at and --samples that at the end. phrame verify checks the certificate, and so\n"
       "does tools/check_certificate.py, which needs Python and nothing else. Of angles to the\n"
-      "Euler-Rodrigues frame that of a spline is made of those of its segments. Of curves by\n"
-      "formulas there is no certificate.\n"
+      "Euler-Rodrigues frame that of a spline is made of those of its segments. Of paths with\n"
+      "several segments some of which are by formulas there is no certificate.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -\n"

@@ -8,6 +8,7 @@
 
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/io/read/number.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/exact_form.hpp"
@@ -49,6 +50,7 @@ std::string exact_form_of(const Certificate& c) { return exact_form_of(curves_of
 std::string exact_form_of(const PathCertificate& c) { return exact_form_of(curves_of(c)); }
 std::string exact_form_of(const IntegralCertificate& c) {
   std::string text;
+  if (c.formulas) text += exact_form(*c.formulas);
   for (const IntegralSegment& s : c.segments) text += exact_form(s.position, s.weight);
   return text;
 }
@@ -82,9 +84,16 @@ std::string objection_to_curves(const IntegralCertificate& c, const CurveOptions
   std::string other;
   const Path path = file.read_any_path().path;
   for (const Segment& segment : path.segments()) {
+    if (const auto* by_formulas = std::get_if<ExpressionCurve>(&segment)) {
+      const Vector<Formula>& r = by_formulas->position();
+      other += exact_form({{canonical(r[0]), canonical(r[1]), canonical(r[2])},
+                           canonical(by_formulas->from()),
+                           canonical(by_formulas->to()),
+                           {}});
+      continue;
+    }
     const Curve* ph = ph_curve(segment);
     const RationalCurve* curve = rational_curve(segment);
-    if (curve == nullptr) return "that one has a segment by formulas";
     other += ph != nullptr ? exact_form(*ph) : exact_form(curve->numerator(), curve->weight());
   }
   return other == exact_form_of(c) ? "" : other_curve(other);

@@ -48,6 +48,9 @@ INTEGRALS = [
     ({"phrame": "spline/1", "segments": [CUBIC, {"control_points": [[2, -3, 1], [0, -7, -3], [1, 1, 1]]}]}, ["--at", "1/2,3/2,2", "--digits", "5"]),
     ({"phrame": "spline/1", "segments": [CUBIC, {"control_points": [[2, -3, 1], [0, 7, 3], [1, 1, 1]]}]}, ["--digits", "5"]),  # a corner
     ({"phrame": "curve/1", "basis": "power", "preimage": QUINTIC}, ["--length", "--at", "1/2,1", "--digits", "5"])]
+FORMULAS = [  # x, y, z, from, to, arguments
+    ("cos(s)", "sin(s)", "s/3", 0, "pi/2", ["--at", "1/3,1"]), ("s*exp(-s)", "sqrt(2 + s)", "atan(s)^2", "-1/3", 1, []),
+    ("log(2 + s)", "s^(2/3)", "1/s", 1, 2, ["--frame", "frenet"]), ("tan(s/2)", "sinh(s)", "s^3 - s", 0, 1, ["--length"])]
 TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
          "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "9" * 7000, "1/" + "7" * 200]
 VALUES = [None, True, False, 0, 1, -1, 2, 1000000, 1000001, 10 ** 30, 0.5, 1e5, [], {}, [[]], ["1"], ["0"], ["1", "1"], ["0", "0", "1"],
@@ -67,6 +70,10 @@ def honest():
                            ("examples/any/cube-edges.json", "--at", "2,9/2"), ("examples/curves/closed-spline.json", "--holonomy", "--writhe"), ("tests/data/closed-eight.json", "--holonomy", "--writhe")):
         run = subprocess.run([PROGRAM, "certify", ROOT / path, *options, "--digits", "12"], capture_output=True, text=True, check=True)
         yield {**json.loads(run.stdout), "name": "p"}
+    for x, y, z, start, end, arguments in FORMULAS:
+        curve = {"phrame": "curve/1", "expressions": {"x": x, "y": y, "z": z}, "from": start, "to": end}
+        run = subprocess.run([PROGRAM, "certify", "-", *arguments, "--digits", "4"], input=json.dumps(curve), capture_output=True, text=True, check=True)
+        yield {**json.loads(run.stdout), "name": "f"}
     for curve, arguments in INTEGRALS:
         run = subprocess.run([PROGRAM, "certify", "-", *arguments], input=json.dumps(curve), capture_output=True, text=True, check=True)
         yield {**json.loads(run.stdout), "name": "i"}
@@ -104,8 +111,30 @@ def changed_text(text, chance):
     return text[:k] + text[k + 1:]
 
 
+TOKENS = ["s", "1", "2", "3", "7", "10", "1000", "0", "pi", "(", ")", "+", "-", "*", "/", "^", "sin(", "cos(", "exp(", "log(", "sqrt(", "atan(", "tan(", "e", "t", " ", ""]
+
+
+def changed_formula(text, chance):
+    """One token changed, and mostly written as a certificate has it."""
+    tokens = re.findall("[a-z]+[(]?|[0-9]+|.", text) or [""]
+    k = chance.randrange(len(tokens))
+    tokens[k:k + chance.choice([0, 1, 1, 2])] = [chance.choice(TOKENS) for _ in range(chance.choice([1, 1, 1, 2, 3]))]
+    text = "".join(tokens)
+    if chance.random() < 0.2:
+        return text
+    try:
+        return checker.canonical(text, "")
+    except checker.Malformed:
+        return text
+
+
 def change(certificate, chance):
     """One change, in place."""
+    if "expressions" in str(certificate)[:4000] and chance.random() < 0.5:
+        formulas = [p for p in places(certificate) if len(p) > 1 and p[-2] == "expressions" and isinstance(at(certificate, p), str)]
+        if formulas:
+            path = chance.choice(formulas)
+            return put(certificate, path, changed_formula(at(certificate, path), chance))
     part = "closed" if "closed" in certificate and chance.random() < 0.5 else None
     path = chance.choice([p for p in places(certificate) if p and part in (None, p[0])])
     value, kind = at(certificate, path), chance.choice([0, 0, 0, 0, 0, 0, 3, 4, 5])
@@ -146,7 +175,7 @@ def product(a, b):
 def with_factor(certificate, a):
     """The same curve with the weight a W: the positions times a, the hodograph times a^2."""
     for part in certificate.get("segments", [certificate]):
-        if "pieces" in part:
+        if "pieces" in part and "x" in part:
             part.update({key: product(part[key], a) for key in "xyzw"})
         if "position" in part:
             part["position"] = {key: product(x, a) for key, x in part["position"].items()}
@@ -172,6 +201,8 @@ PIECE = ("segments", 0, "pieces", 0)
 PLACES_OF_INTEGRALS = [("frame",), ("up",), ("up", 0), ("segments",), ("segments", 0), ("segments", 0, "x"), ("segments", 0, "w"), ("segments", 0, "square"),
                        ("segments", 0, "square", 0), ("segments", 0, "pieces"), PIECE, *((*PIECE, key) for key in ("to", "root_bits", "root", "rate_bits", "rate")),
                        (*PIECE, "root", 0), (*PIECE, "rate", 1), ("claims", 0, "t"), ("claims", 0, "theta"), ("claims", 0, "radius")]
+OF_FORMULAS = ("segments", 0, "expressions")
+PLACES_OF_FORMULAS = [OF_FORMULAS, *((*OF_FORMULAS, key) for key in ("x", "z", "from", "to")), PIECE, *((*PIECE, key) for key in ("to", "order", "bits"))]
 PLACES = [("position",), ("position", "w"), ("position", "w", 0), ("position", "x"), ("position", "z", 0), ("curve", "multiplier"),
           ("curve", "multiplier", "numerator"), ("curve", "multiplier", "denominator"), ("curve", "multiplier", "denominator", 0)]
 
@@ -232,7 +263,8 @@ def main():
     changed = (candidate(originals, random.Random(options.seed * 10 ** 9 + k)) for k in range(options.number))
     with tempfile.TemporaryDirectory() as folder:
         texts = chain(with_each_text_of_polynomial(originals[0]), with_each_text(originals[2 * len(CURVES)], PLACES),
-                      with_each_text(originals[-len(INTEGRALS)], PLACES_OF_INTEGRALS))
+                      with_each_text(originals[-len(INTEGRALS)], PLACES_OF_INTEGRALS),
+                      with_each_text(originals[-len(INTEGRALS) - len(FORMULAS)], PLACES_OF_FORMULAS))
         for number, data in enumerate(chain(changed, islice(texts, 0, None, options.every))):
             path = Path(options.keep or folder) / ("%d.cert" % number)
             path.write_bytes(data)

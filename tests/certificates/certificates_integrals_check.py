@@ -446,7 +446,6 @@ def check_forged(here):
 
 
 REFUSED = [  # curve, arguments, status, in the message
-    ({"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s"}, "from": 0, "to": 1}, ["--length"], 3, "formulas"),
     (QUARTIC, ["--up", "1,3,-2"], 2, "along the tangent at t = 0"),
     (power([0, 1], [0, 2], [0, 3]), ["--frame", "frenet"], 3, "straight line"),
     (QUARTIC, ["--frame", "erf"], 2, "--frame"),

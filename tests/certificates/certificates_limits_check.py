@@ -136,6 +136,7 @@ def bad():
     yield from rational()
     yield from integrals()
     yield from closed()
+    yield from formulas()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
@@ -223,6 +224,38 @@ def integrals():
     random_points = {"phrame": "curve/1", "control_points": [some(3, 99) for _ in range(41)]}
     yield "integral: degree 40", certified(random_points, "--digits", "17", "--length")
     yield "integral: degree 40, angle", certified({**random_points, "control_points": random_points["control_points"][:21]}, "--digits", "17", "--frame", "frenet")
+
+
+def formulas():
+    """Of curves by formulas: many steps, deep ones, long numbers, and many pieces."""
+    helix = {"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "s"}, "from": 0, "to": 1}
+    base = json.loads(certified(helix, "--digits", "5"))
+
+    def of_formula(pieces=1, frame="frenet", start="0", end="1", **values):
+        def change(c):
+            part = c["segments"][0]
+            part["expressions"] = {"x": "exp(s)", "y": "s^2", "z": "s^3", "from": start, "to": end, **values}
+            piece = {**part["pieces"][0], **sizes}
+            part["pieces"] = [dict(piece, to="%d/%d" % (k, pieces)) for k in range(1, pieces + 1)]
+            c.update(frame=frame, claims=[{"length" if frame == "none" else "theta": "1", "t": "1", "radius": "1e-5"}])
+            if frame != "up":
+                c.pop("up", None)
+        return changed(change, base)
+    deep = {name: name + ("(2 + " + name) * 50 + "(s)" + ")" * 50 for name in ("sin", "exp", "log", "sqrt", "atan")}
+    deep["exp"] = "exp(-" * 55 + "s" + ")" * 55
+    sums = {"sums": " + ".join(["s"] * 2500), "products": "*".join(["s"] * 4900), "quotients": "s" + "/s" * 4900, "powers": "*".join(["s^999"] * 1500),
+            "angles": " + ".join("sin(%d*s)" % k for k in range(1, 700)), "long number": "s + " + "7" * 9900, "quotient of long numbers": "s + " + "7" * 4000 + "/" + "3" * 4000}
+    for sizes in ({"order": 60, "bits": 150}, {"order": 8, "bits": 4000}):
+        for name, text in {**deep, **sums}.items():
+            yield "formulas: %s, %s" % (name, list(sizes.values())), of_formula(start="1", end="33/32", z=text)
+    for pieces, sizes in ((1500, {"order": 2, "bits": 100}), (1500, {"order": 20, "bits": 64}), (60, {"order": 40, "bits": 1000}), (20, {"order": 10, "bits": 9000})):
+        yield "formulas: %d pieces" % pieces, of_formula(pieces, "up" if pieces == 60 else "none", x="cos(s)", y="sin(s)", z="atan(s)")
+    for sizes in ({"order": 2, "bits": 20000}, {"order": 2, "bits": 200000}, {"order": 1000000, "bits": 1}, {"order": 900, "bits": 0}):
+        yield "formulas: %s" % list(sizes.values()), of_formula(x="cos(s)")
+    sizes = {"order": 30, "bits": 100}
+    for name, text in {"a great angle": "sin(10^300*s) + 9^999", "a great exponent": "exp(10^9*s)", "a pole": "1/(s - (1/3))", "a great power": "(1 + s)^1000",
+                       "a power of a power": "(9^999)^999 + s", "many turns": "sin(100000*s)"}.items():
+        yield "formulas: " + name, of_formula(300, z=text)
 
 
 def closed():

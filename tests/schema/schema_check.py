@@ -143,6 +143,7 @@ def check_command_line(folder):
             ask("certify", curve, "--digits", "9", *frame)
     ask("certify", ROOT / "examples/curves/closed-spline.json", "--at", "1/2,3")
     ask("certify", ROOT / "tests/data/rational-path.json", "--at", "1/2,3")
+    ask("certify", ROOT / "examples/any/trefoil.json", "--digits", "9")
     for name, text in (("corner", CORNER), ("plane", PLANE), ("turn", TURN), ("there", THERE_AND_BACK)):
         curve = here / f"{name}.offset"
         curve.write_text(text)

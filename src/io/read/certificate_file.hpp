@@ -36,6 +36,10 @@ struct NamedIntegralCertificate {
 using NamedAnyCertificate =
     std::variant<NamedCertificate, NamedPathCertificate, NamedIntegralCertificate>;
 
+/// The same certificate, of a curve by formulas with these in the form in which a certificate has
+/// them. Throws DomainError where there is none.
+PHRAME_API IntegralCertificate with_canonical_formulas(IntegralCertificate certificate);
+
 /// Reads a certificate/1, path-certificate/1 or integral-certificate/1 file (docs/certificate.md),
 /// true or not. Throws InputError as read_curve.
 PHRAME_API NamedAnyCertificate read_any_certificate(std::string_view text,

@@ -233,6 +233,18 @@ GivenFormula FormulaParser::parse() {
 
 }  // namespace
 
+Formula canonical(const Formula& f) {
+  constexpr int most_times = 6;
+  std::string text = full_text(f, "s");
+  for (int k = 0; k < most_times; ++k) {
+    Formula next = parse_formula(text, "s").value;
+    std::string again = full_text(next, "s");
+    if (again == text) return next;
+    text = std::move(again);
+  }
+  throw DomainError(fmt::format("the formula {} has no one form", to_string(f, "s")));
+}
+
 GivenFormula parse_formula(std::string_view text, const std::optional<std::string>& variable) {
   if (text.size() > max_formula_length)
     throw InputError("column 1", fmt::format("the expression has {} bytes, the limit is {}",

@@ -29,4 +29,8 @@ inline constexpr std::size_t max_formula_length = 100'000;
 PHRAME_API GivenFormula parse_formula(std::string_view text,
                                       const std::optional<std::string>& variable = std::nullopt);
 
+/// f as it is read of what is written of it, until that does not change any more: full_text() of it
+/// is that of what is read of the text. Throws DomainError where that does not end.
+PHRAME_API Formula canonical(const Formula& f);
+
 }  // namespace phrame

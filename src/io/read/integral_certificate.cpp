@@ -4,11 +4,85 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
+#include "phrame/io/read/formula.hpp"
 #include "phrame/io/write/names.hpp"
+#include "phrame/ph/curve/formula_jet.hpp"
 
 namespace phrame::inline v0 {
 namespace {
+
+/// Of a formula in a certificate: characters, parentheses in one another, digits of a number, and
+/// the numerator and denominator of an exponent.
+constexpr std::size_t most_characters = 10'000;
+constexpr long most_depth = 60;
+constexpr long most_digits = 5000;
+constexpr long most_power = 1000;
+
+long depth_of(const std::string& text) {
+  long depth = 0;
+  long most = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    most = std::max(most, depth);
+  }
+  return most;
+}
+
+/// Of the longest number.
+long digits_of(const std::string& text) {
+  long digits = 0;
+  long most = 0;
+  for (const char c : text) {
+    digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+    most = std::max(most, digits);
+  }
+  return most;
+}
+
+/// A formula in its canonical form.
+Formula read_formula(const JsonNode& node, const std::string& variable) {
+  const std::string& text = node.string();
+  if (text.size() > most_characters || depth_of(text) > most_depth)
+    node.fail(fmt::format("a formula of at most {} characters, {} parentheses deep, is wanted",
+                          most_characters, most_depth));
+  if (digits_of(text) > most_digits)
+    node.fail(fmt::format("numbers of at most {} digits are wanted", most_digits));
+  try {
+    Formula f = parse_formula(text, variable).value;
+    if (full_text(f, "s") != text)
+      node.fail("this formula is not written as it would be written again");
+    for (const Formula::Step& step : f.steps())
+      if (step.operation == Formula::Operation::power &&
+          (abs(numerator(step.number)) > most_power || denominator(step.number) > most_power))
+        node.fail(fmt::format("exponents are limited to {}", most_power));
+    return f;
+  } catch (const InputError& error) {
+    if (error.place() == node.place()) throw;
+    node.fail(error.place() + ": " + error.reason());
+  }
+}
+
+/// By its form.
+bool is_rational(const Formula& f) {
+  using Operation = Formula::Operation;
+  return std::ranges::all_of(f.steps(), [](const Formula::Step& step) {
+    switch (step.operation) {
+      case Operation::number:
+        return step.pi_multiple == 0;
+      case Operation::power:
+        return denominator(step.number) == 1;
+      case Operation::variable:
+      case Operation::add:
+      case Operation::multiply:
+      case Operation::divide:
+        return true;
+      default:
+        return false;
+    }
+  });
+}
 
 /// Reads the parts, and counts what it takes to check them, in the units of docs/certificate.md.
 class IntegralReader {
@@ -41,6 +115,43 @@ class IntegralReader {
     const Integer a = bits_;
     work_ += 3000 * d * d * d * Integer(1 + bits_ / 64) + 2 * d * d * a * a;
     s.pieces = read_list(node.at("pieces"), [this](const JsonNode& item) { return piece(item); });
+    return s;
+  }
+
+  /// A curve by formulas, with so many derivatives.
+  FormulaSegment formulas(const JsonNode& node, long derivatives) {
+    node.require_known_keys({"expressions", "pieces"});
+    const JsonNode expressions = node.at("expressions");
+    expressions.require(JsonNode::Kind::object, "an object");
+    expressions.require_known_keys({"x", "y", "z", "from", "to"});
+    const auto formula = [&](const char* key) { return read_formula(expressions.at(key), "s"); };
+    const auto constant = [&](const char* key) { return read_formula(expressions.at(key), ""); };
+    FormulaSegment s{
+        {formula("x"), formula("y"), formula("z")}, constant("from"), constant("to"), {}};
+    ++count_;
+    DistinctSteps steps;
+    for (const Formula* f : {&s.position[0], &s.position[1], &s.position[2]}) steps.insert(*f);
+    const FormulaWork coordinates = work_of(steps);
+    DistinctSteps of_ends;
+    of_ends.insert(s.from);
+    of_ends.insert(s.to);
+    const FormulaWork ends = work_of(of_ends);
+    const Integer weight = 6 * derivatives * (coordinates.functions + ends.functions) +
+                           derivatives * (coordinates.products + ends.products) + 20;
+    const Integer steps_of_all(steps.steps().size() + of_ends.steps().size());
+    s.pieces = read_list(node.at("pieces"), [&](const JsonNode& item) {
+      item.require(JsonNode::Kind::object, "an object");
+      item.require_known_keys({"to", "order", "bits"});
+      ModelPiece piece{exact(item.at("to")),
+                       read_count(item.at("order"), 2, most_certificate_count),
+                       read_count(item.at("bits"), 0, most_certificate_count)};
+      const Integer n = piece.order;
+      const Integer b = piece.bits + bits_of(piece.to);
+      work_ += weight * (n * n * b * (2000 + b) / 8000 + 1500 * n) + 20 * b * b +
+               steps_of_all * derivatives * (200 * n + 10000);
+      longest_ = std::max(longest_, piece.order);
+      return piece;
+    });
     return s;
   }
 
@@ -114,6 +225,11 @@ std::optional<Reference> read_frame_of_integral(const JsonNode& node) {
       fmt::format("the frame is \"up\", \"frenet\" or \"none\", not \"{}\"", abbreviated(name)));
 }
 
+bool is_by_formulas(const JsonNode& segments) {
+  return segments.is(JsonNode::Kind::array) && segments.size() == 1 &&
+         segments.item(0).is(JsonNode::Kind::object) && segments.item(0).find("expressions");
+}
+
 /// Is r a point?
 bool is_point(const IntegralSegment& s) {
   for (const Polynomial& x : s.position)
@@ -135,8 +251,11 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
   IntegralReader read(limits);
   if (c.frame == Reference::up) c.up = read.vector(node.at("up"));
   const JsonNode segments = node.at("segments");
-  c.segments = read_list(segments, [&](const JsonNode& item) { return read.segment(item); });
-  if (c.segments.empty()) segments.fail("a path has at least one segment");
+  if (is_by_formulas(segments))
+    c.formulas = read.formulas(segments.item(0), !c.frame ? 1 : c.frame == Reference::up ? 2 : 3);
+  else
+    c.segments = read_list(segments, [&](const JsonNode& item) { return read.segment(item); });
+  if (c.segments.empty() && !c.formulas) segments.fail("a path has at least one segment");
   const std::string value = c.frame ? "theta" : "length";
   read_list(node.at("claims"), [&](const JsonNode& item) {
     item.require_known_keys({"t", value, "radius"});
@@ -150,9 +269,21 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
     return 0;
   });
   limit.add(node, read.work());
+  if (const auto& f = c.formulas; f && is_rational(f->position[0]) && is_rational(f->position[1]) &&
+                                  is_rational(f->position[2]) && is_rational(f->from) &&
+                                  is_rational(f->to))
+    segments.item(0).fail("these are rational functions, for which x, y, z and w are");
   for (std::size_t k = 0; k < c.segments.size(); ++k)
     if (is_point(c.segments[k])) segments.item(k).fail("the curve is a single point");
   return found;
+}
+
+IntegralCertificate with_canonical_formulas(IntegralCertificate c) {
+  if (!c.formulas) return c;
+  for (Formula& f : c.formulas->position) f = canonical(f);
+  c.formulas->from = canonical(c.formulas->from);
+  c.formulas->to = canonical(c.formulas->to);
+  return c;
 }
 
 }  // namespace phrame

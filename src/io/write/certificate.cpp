@@ -127,6 +127,20 @@ JsonOutput json_of(const Certificate& c, const std::string& name,
   return json;
 }
 
+JsonOutput json_of(const FormulaSegment& f) {
+  const auto text = [](const Formula& g) { return full_text(g, "s"); };
+  const auto piece = [](const ModelPiece& p) -> JsonOutput {
+    return {{"to", to_string(p.to)}, {"order", p.order}, {"bits", p.bits}};
+  };
+  return {{"expressions",
+           {{"x", text(f.position[0])},
+            {"y", text(f.position[1])},
+            {"z", text(f.position[2])},
+            {"from", text(f.from)},
+            {"to", text(f.to)}}},
+          {"pieces", array_of(f.pieces, piece)}};
+}
+
 JsonOutput json_of(const StatedArc& arc) {
   return {{"segment", arc.segment}, {"interval", {to_string(arc.lower), to_string(arc.upper)}}};
 }
@@ -173,6 +187,7 @@ std::string write_certificate(const IntegralCertificate& certificate, const std:
   if (certificate.frame == Reference::up) json["up"] = phrame::json_of(certificate.up);
   const auto each = [](const auto& x) { return json_of(x); };
   json["segments"] = array_of(certificate.segments, each);
+  if (certificate.formulas) json["segments"].push_back(json_of(*certificate.formulas));
   json["claims"] =
       certificate.frame ? array_of(certificate.angles, each) : array_of(certificate.lengths, each);
   return pretty(json);

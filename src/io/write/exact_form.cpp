@@ -31,6 +31,19 @@ std::string exact_form(const Curve& curve) {
   return exact_form(hodograph_fraction(curve), curve.start());
 }
 
+std::string exact_form(const FormulaSegment& curve) {
+  std::string text;
+  const auto add = [&text](const char* key, const Formula& f) {
+    text += fmt::format("{} {}\n", key, full_text(f, "s"));
+  };
+  add("x", curve.position[0]);
+  add("y", curve.position[1]);
+  add("z", curve.position[2]);
+  add("from", curve.from);
+  add("to", curve.to);
+  return text;
+}
+
 std::string exact_form(const Vector<Polynomial>& position, const Polynomial& weight) {
   return exact_form(hodograph_fraction(position, weight), 1 / weight(0) * evaluate(position, 0));
 }

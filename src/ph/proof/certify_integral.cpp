@@ -103,17 +103,61 @@ class PieceMaker {
 /// What is to be certified, without its pieces.
 IntegralCertificate without_pieces(const Path& path) {
   IntegralCertificate c;
+  if (path.segments().size() == 1)
+    if (const auto* curve = std::get_if<ExpressionCurve>(&path.segments().front())) {
+      c.formulas = {curve->position(), curve->from(), curve->to(), {}};
+      return c;
+    }
   for (std::size_t k = 0; k < path.segments().size(); ++k) {
     const RationalCurve* curve = rational_curve(path.segments()[k]);
     if (curve == nullptr)
       throw DomainError(fmt::format(
-          "certify: segment {} is given by formulas, of which no certificate tells", k + 1));
+          "certify: segment {} is given by formulas, which certificates of paths do not have",
+          k + 1));
     const Polynomial sigma = dot(curve->direction(), curve->direction());
     Polynomial root = square_root(sigma).value_or(Polynomial{1});
     if (root(0) < 0) root = -root;
     c.segments.push_back({curve->numerator(), curve->weight(), std::move(root), {}});
   }
   return c;
+}
+
+/// Gives c pieces of all of the curve, by halving, where the rate is off by no more than `room`.
+/// Where that does not end it says why not, and where.
+std::string objection_to_models(IntegralCertificate& c, const Rational& room, long order,
+                                long bits) {
+  std::vector<ModelPiece>& pieces = c.formulas->pieces;
+  pieces.clear();
+  Rational start = 0;
+  std::string objection;
+  for (std::vector<Rational> ends{1}; !ends.empty();) {
+    const ModelPiece piece{ends.back(), order, bits};
+    const PieceProof proof(c, piece, start);
+    if (proof.is_too_short())
+      return fmt::format("next to t = {:.9g}: {}", static_cast<double>(start), objection);
+    if (!proof.objection().empty() || proof.error() > room) {
+      objection = proof.objection().empty() ? "the models are too inaccurate" : proof.objection();
+      ends.push_back((start + piece.to) / 2);
+      continue;
+    }
+    pieces.push_back(piece);
+    start = piece.to;
+    ends.pop_back();
+  }
+  return "";
+}
+
+/// The same, of models that are as fine as it takes.
+void find_model_pieces(IntegralCertificate& c, const Rational& slack) {
+  const Rational room = slack / 4;
+  const long needed = std::max(0L, -binary_exponent(room));
+  const long order = needed * 2 / 3 + 8;  // of models that get smaller by 3/2 bits a term
+  std::string objection;
+  for (long more = 48; more <= 768; more *= 2) {
+    objection = objection_to_models(c, room, order, needed + more);
+    if (objection.empty()) return;
+  }
+  throw Undecided("certify: " + objection);
 }
 
 /// The pieces up to t, whose bounds are no further apart than the slack.
@@ -151,16 +195,25 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
                                 bool is_zero, const Value& value, const Add& add) {
   std::optional<Rational> slack;
   PathParameter end{0, 0};
+  const std::size_t count = c.formulas ? 1 : c.segments.size();
   for (const Rational& t : at) {
-    const StatedNumber stated = stated_number(value(Place(locate_inside(c.segments.size(), t))),
-                                              digits, is_zero || t == 0, spare_bits);
+    const PathParameter at_t = locate_inside(count, t);
+    StatedNumber stated = stated_number(value(Place(at_t)), digits, is_zero || t == 0, spare_bits);
+    if (is_zero && c.formulas && t != 0) {
+      // Models do not show that something is 0.
+      stated.slack = power_of_ten(-digits);
+      stated.radius = upper_bound_text(stated.slack, 1);
+    }
     add(c, t, stated);
     if (t == 0) continue;
-    const PathParameter place = last_part(c.segments.size(), t);
+    const PathParameter place = last_part(count, t);
     if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
     if (!slack || stated.slack < *slack) slack = stated.slack;
   }
-  if (slack) find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
+  if (c.formulas)
+    find_model_pieces(c, slack.value_or(1));
+  else if (slack)
+    find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
   return c;
 }
 

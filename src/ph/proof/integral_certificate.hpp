@@ -4,6 +4,7 @@
 
 #include "phrame/algebra/grid_polynomial.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
+#include "phrame/ph/curve/formula.hpp"
 #include "phrame/ph/proof/statement.hpp"
 
 namespace phrame::inline v0 {
@@ -25,15 +26,34 @@ struct IntegralSegment {
   friend bool operator==(const IntegralSegment&, const IntegralSegment&) = default;
 };
 
+/// Where formulas are evaluated: from the end of the piece before, at first 0, to b.
+struct ModelPiece {
+  Rational to;     ///< b
+  long order = 2;  ///< of terms of each Taylor model, ≥ 2
+  long bits = 0;   ///< of its grid, ≥ 0
+  friend bool operator==(const ModelPiece&, const ModelPiece&) = default;
+};
+
+/// A curve by formulas, not all of which are rational functions, of s from one constant to another.
+struct FormulaSegment {
+  Vector<Formula> position;  ///< r(s)
+  Formula from;              ///< s at t = 0
+  Formula to;                ///< s at t = 1
+  std::vector<ModelPiece> pieces;
+  friend bool operator==(const FormulaSegment&, const FormulaSegment&) = default;
+};
+
 /// Claims about the angle of the rotation-minimizing frame to a frame, or about the length, along a
 /// path of polynomial and rational curves, and enclosures of what is integrated, which arithmetic
-/// with integers proves: docs/certificate.md. True or not, as a Certificate.
+/// with integers proves; or along one curve by formulas, of which the enclosures are found when
+/// they are checked: docs/certificate.md. True or not, as a Certificate.
 struct IntegralCertificate {
   std::optional<Reference> frame;         ///< up or frenet; none where it is of lengths
   Vector<Rational> up{};                  ///< v, with the frame of that
-  std::vector<IntegralSegment> segments;  ///< at least one
+  std::vector<IntegralSegment> segments;  ///< at least one, but for a curve by formulas
   std::vector<AngleClaim> angles;         ///< with a frame
   std::vector<LengthClaim> lengths;       ///< without
+  std::optional<FormulaSegment> formulas = {};
   friend bool operator==(const IntegralCertificate&, const IntegralCertificate&) = default;
 };
 

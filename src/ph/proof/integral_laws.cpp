@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/corner.hpp"
+#include "phrame/ph/curve/formula_jet.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -52,6 +54,62 @@ Polynomial polynomial_of(const GridPolynomial& p) {
 }
 
 const std::string no_line = "a straight line has no Frenet frame";
+
+/// Taylor models of vectors.
+class VectorModels {
+ public:
+  explicit VectorModels(const TaylorModels& models) : m_(models) {}
+
+  TaylorModel dot(const Vector<TaylorModel>& a, const Vector<TaylorModel>& b) const {
+    return m_.add(m_.add(m_.multiply(a[0], b[0]), m_.multiply(a[1], b[1])),
+                  m_.multiply(a[2], b[2]));
+  }
+  Vector<TaylorModel> cross(const Vector<TaylorModel>& a, const Vector<TaylorModel>& b) const {
+    const auto part = [&](std::size_t i, std::size_t j) {
+      return m_.subtract(m_.multiply(a[i], b[j]), m_.multiply(a[j], b[i]));
+    };
+    return {part(1, 2), part(2, 0), part(0, 1)};
+  }
+
+ private:
+  TaylorModels m_;
+};
+
+/// What is integrated along a curve by formulas, for t = m + hz. Throws Undecided.
+TaylorModel rate_of(const IntegralCertificate& c, const TaylorModels& m, const Rational& middle,
+                    const Rational& half) {
+  const FormulaSegment& curve = c.formulas.value();
+  const std::size_t most = !c.frame ? 1 : c.frame == Reference::up ? 2 : 3;
+  FormulaJets constants(m, ModelJet(1));
+  const TaylorModel from = constants.of(curve.from)[0];
+  const TaylorModel span = m.subtract(constants.of(curve.to)[0], from);
+  const TaylorModel t = m.add(m.number(middle), m.multiply(half, m.variable()));
+  ModelJet s(most + 1);
+  s[0] = m.add(from, m.multiply(span, t));
+  s[1] = span;
+  FormulaJets jets(m, s);
+  std::vector<Vector<TaylorModel>> r(most + 1);  // derivatives over factorials
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const ModelJet jet = jets.of(curve.position[axis]);
+    for (std::size_t k = 0; k <= most; ++k) r[k][axis] = jet[k];
+  }
+  const VectorModels v(m);
+  const TaylorModel square = v.dot(r[1], r[1]);
+  constexpr long least_exponent = 1000;
+  if (bit_length(m.least(square, "r' may be 0")) + least_exponent <= m.bits())
+    throw Undecided("r' is too small");
+  const TaylorModel root = m.sqrt(square);
+  if (!c.frame) return root;
+  if (c.frame == Reference::frenet) {
+    const Vector<TaylorModel> bend = v.cross(r[1], r[2]);
+    const TaylorModel turn = m.multiply(-3, v.dot(bend, r[3]));
+    return m.multiply(m.multiply(turn, m.inverse(v.dot(bend, bend))), root);
+  }
+  const Vector<TaylorModel> up{m.number(c.up[0]), m.number(c.up[1]), m.number(c.up[2])};
+  const Vector<TaylorModel> across = v.cross(up, r[1]);
+  const TaylorModel turn = m.multiply(-2, m.multiply(v.dot(up, r[1]), v.dot(across, r[2])));
+  return m.multiply(m.multiply(turn, m.inverse(v.dot(across, across))), m.inverse(root));
+}
 
 }  // namespace
 
@@ -161,6 +219,28 @@ PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const 
   error_ = (sum_of_sizes(product - D * p) + sum_of_sizes(product) * delta / (1 - delta)) / least;
   size_ = sum_of_sizes(p);
   integral_ = antiderivative(p);
+}
+
+PieceProof::PieceProof(const IntegralCertificate& c, const ModelPiece& piece, const Rational& start)
+    : start_(start),
+      middle_((start + piece.to) / 2),
+      half_((piece.to - start) / 2),
+      bits_(piece.bits + 64 + bit_length(denominator(half_))) {
+  constexpr long least_piece = 30;
+  if (piece.to - start < power_of_two(-least_piece)) {
+    is_too_short_ = true;
+    objection_ = "it is too short";
+    return;
+  }
+  try {
+    const TaylorModel rate = rate_of(c, TaylorModels(piece.order, piece.bits), middle_, half_);
+    const Polynomial p = polynomial_of({rate.terms, piece.bits});
+    error_ = Rational(rate.radius) * power_of_two(-piece.bits);
+    size_ = sum_of_sizes(p);
+    integral_ = antiderivative(p);
+  } catch (const Undecided& error) {
+    objection_ = error.what();
+  }
 }
 
 PieceProof& PieceProof::of_size(const Polynomial& multiplier) {

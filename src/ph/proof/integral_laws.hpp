@@ -40,11 +40,17 @@ class PieceProof {
   /// Precondition: start < piece.to. The sign of f matters to lengths, where N/(D√S) is the rate
   /// but for that.
   PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start);
+  /// The same of a curve by formulas. Precondition: c is of one.
+  PieceProof(const IntegralCertificate& c, const ModelPiece& piece, const Rational& start);
   /// Of |N/(D√S)|, N having the sign of this f.
   PieceProof& of_size(const Polynomial& multiplier);
 
   /// Why nothing is proved, or "".
   const std::string& objection() const { return objection_; }
+  /// Is the piece of a curve by formulas shorter than they may be?
+  bool is_too_short() const { return is_too_short_; }
+  /// By how much the rate is off, at most.
+  const Rational& error() const { return error_; }
   /// Has the f of of_size() both signs, as far as is seen?
   bool has_both_signs() const { return sign_ == 0; }
   /// Of the integral from the start to t.
@@ -59,6 +65,7 @@ class PieceProof {
   Rational error_;       ///< and off by no more
   long bits_;            ///< bounds are rounded to this many
   int sign_ = 1;
+  bool is_too_short_ = false;
   std::string objection_;
 };
 

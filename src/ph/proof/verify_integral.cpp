@@ -9,12 +9,17 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/absolute_integral.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
+#include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/check_decisions.hpp"
 #include "phrame/ph/proof/integral_laws.hpp"
 
 namespace phrame::inline v0 {
 namespace {
+
+ExpressionCurve curve_of(const FormulaSegment& formulas) {
+  return {formulas.position, formulas.from, formulas.to};
+}
 
 /// f(t) dt for t = c·s, c > 0.
 RootQuotient scaled(const RootQuotient& f, const Rational& c) {
@@ -25,6 +30,13 @@ RootQuotient scaled(const RootQuotient& f, const Rational& c) {
 /// What one segment proves.
 class SegmentProof {
  public:
+  /// Of a curve by formulas.
+  explicit SegmentProof(const IntegralCertificate& c) : c_(c) {
+    std::string objection = objection_to_pieces(
+        c.formulas->pieces, [&](const ModelPiece& piece) { return PieceProof(c, piece, end_); });
+    if (objection.empty() && end_ != 1) objection = "the pieces end before 1";
+    state("pieces", objection);
+  }
   SegmentProof(const IntegralCertificate& c, std::size_t k, const SegmentProof* before)
       : c_(c), k_(k), curve_(directed_curve(c.segments[k])) {
     const Polynomial& weight = c.segments[k].weight;
@@ -43,7 +55,11 @@ class SegmentProof {
       return;
     }
     state("rate", "");
-    state("pieces", objection_to_pieces(std::get<RootQuotient>(f)));
+    state("pieces", objection_to_pieces(c.segments[k].pieces, [&](const IntegralPiece& piece) {
+            PieceProof proof(std::get<RootQuotient>(f), piece, end_);
+            if (proof.objection().empty() && !c_.frame) proof.of_size(curve_.multiplier);
+            return proof;
+          }));
   }
 
   const std::vector<Statement>& statements() const { return statements_; }
@@ -78,12 +94,13 @@ class SegmentProof {
     IntegralBounds before;
     PieceProof proof;
   };
-  using Series = std::variant<TaylorIntegral, AbsoluteIntegral>;
+  using Series = std::variant<TaylorIntegral, AbsoluteIntegral, SegmentIntegral>;
 
   static RealBall enclosed(const TaylorIntegral& f, const Rational& s, long bits) {
     return f.enclose(s, bits);
   }
-  static RealBall enclosed(const AbsoluteIntegral& f, const Rational& s, long bits) {
+  template <class F>
+  static RealBall enclosed(const F& f, const Rational& s, long bits) {
     return f.enclose(Real(s), bits);
   }
 
@@ -95,15 +112,14 @@ class SegmentProof {
     add({fmt::format("{} of segment {}", what, k_), objection});
   }
 
-  std::string objection_to_pieces(const RootQuotient& f) {
+  template <class Piece, class Proof>
+  std::string objection_to_pieces(const std::vector<Piece>& pieces, const Proof& proof_of) {
     IntegralBounds sum;
-    const auto& pieces = c_.segments[k_].pieces;
     for (std::size_t j = 0; j < pieces.size(); ++j) {
       const Rational& to = pieces[j].to;
       if (to <= end_ || to > 1) return fmt::format("piece {} is empty, or ends beyond 1", j);
-      PieceProof proof(f, pieces[j], end_);
+      const PieceProof proof = proof_of(pieces[j]);
       if (!proof.objection().empty()) return fmt::format("piece {}: {}", j, proof.objection());
-      if (!c_.frame) proof.of_size(curve_.multiplier);
       pieces_.push_back({end_, sum, proof});
       sum += proof.bounds(to);
       end_ = to;
@@ -113,6 +129,11 @@ class SegmentProof {
 
   /// Where the pieces are D and S have no zero.
   Series series() const {
+    if (c_.formulas) {
+      const Segment curve = curve_of(*c_.formulas);
+      if (!c_.frame) return arc_length(curve);
+      return c_.frame == Reference::up ? up_frame_angle(curve, c_.up) : frenet_angle(curve);
+    }
     const IntegralSegment& segment = c_.segments[k_];
     RationalCurve curve(segment.position, segment.weight);
     if (dot(evaluate(curve.direction(), 0), evaluate(curve_.direction, 0)) < 0)
@@ -123,7 +144,7 @@ class SegmentProof {
   }
 
   const IntegralCertificate& c_;
-  std::size_t k_;
+  std::size_t k_ = 0;
   DirectedCurve curve_;
   std::vector<Statement> statements_;
   bool is_proved_ = true;
@@ -160,9 +181,15 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
   sum += {total.lower(), total.upper()};
   if (sum.lower < value - radius || value + radius < sum.upper)
     return "it does not follow from the pieces";
-  each([&](SegmentProof& segment, const Rational& to) {
-    total = add(total, segment.by_series(to, bits), bits);
-  });
+  try {
+    each([&](SegmentProof& segment, const Rational& to) {
+      total = add(total, segment.by_series(to, bits), bits);
+    });
+  } catch (const Undecided& error) {
+    return error.what();
+  } catch (const DomainError& error) {
+    return error.what();
+  }
   const RealBall claimed = widened(RealBall(value, bits + 64), RealBall(radius, bits + 64));
   return unless(total.overlaps(claimed), "the series say something else");
 }
@@ -172,7 +199,11 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
 std::vector<Statement> verify(const IntegralCertificate& c) {
   std::vector<Statement> list;
   std::vector<SegmentProof> segments;
-  segments.reserve(c.segments.size());
+  segments.reserve(c.segments.size() + 1);
+  if (c.formulas) {
+    segments.emplace_back(c);
+    list = segments.back().statements();
+  }
   for (std::size_t k = 0; k < c.segments.size(); ++k) {
     segments.emplace_back(c, k, k == 0 ? nullptr : &segments.back());
     const auto& statements = segments.back().statements();
@@ -189,6 +220,7 @@ std::vector<Statement> verify(const IntegralCertificate& c) {
 
 std::variant<Path, std::string> path_of(const IntegralCertificate& c) {
   try {
+    if (c.formulas) return Path(curve_of(*c.formulas));
     std::vector<Segment> segments;
     for (const IntegralSegment& segment : c.segments)
       segments.emplace_back(RationalCurve(segment.position, segment.weight));

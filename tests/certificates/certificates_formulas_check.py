@@ -1,0 +1,259 @@
+"""Certificates of curves by formulas: both checkers prove the honest ones, whose values are those of mpmath's quadrature of the
+torsion, of e2'.e3 and of |r'|, as these are defined; they refuse forged ones, and decide alike to the last bit.
+"""
+import copy
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from argparse import Namespace
+from contextlib import redirect_stderr, redirect_stdout
+from fractions import Fraction
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+import check_certificate as checker
+
+PROGRAM = os.environ["PHRAME_PROGRAM"]
+ALL = int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+def by_script(path, curve=None):
+    options = Namespace(quiet=False, curve=curve and str(curve), table=None, max_degree=1001, unlimited=False, files=[])
+    out = io.StringIO()
+    with redirect_stdout(out), redirect_stderr(out):
+        status = checker.check(str(path), options)
+    return status, out.getvalue()
+
+
+def expect(status, what, path, curve=None, line=""):
+    done = run("verify", path, *(["--curve", curve] if curve else []))
+    mine, other = by_script(path, curve), (done.returncode, done.stdout + done.stderr)
+    if mine[0] != status or other[0] != status or line not in mine[1] or line not in other[1]:
+        sys.exit("%s: %d is expected, the script %s, verify %s" % (what, status, mine, other))
+
+
+# ---- honest ones
+
+def curve(x, y, z, start=0, end=1, **more):
+    return {"phrame": "curve/1", "expressions": {"x": x, "y": y, "z": z}, "from": start, "to": end, **more}
+
+
+PART = curve("(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)", 0, "pi/3")
+TREFOIL = curve("(2 + cos(3*s))*cos(2*s)", "(2 + cos(3*s))*sin(2*s)", "sin(3*s)", 0, "2*pi")
+LOG = curve("s*log(1 + s)", "sqrt(1 + s^2)", "(1 + s)*atan(s)", -0.5, "1/3")
+SUBJECTS = [  # name, curve, arguments
+    ("trefoil, Frenet", TREFOIL, ["--frame", "frenet", "--digits", "9"]),
+    ("trefoil", PART, ["--digits", "8", "--at", "1/3,1"]),
+    ("helix", curve("3*cos(s)", "3*sin(s)", "4*s", 0, "4*pi"), ["--digits", "30"]),
+    ("exp", curve("exp(-u)*cos(2*u)", "exp(-u)*sin(2*u)", "exp(u/3)", "0", "1", variable="u"), ["--digits", "12", "--frame", "up", "--up", "1,-2,3"]),
+    ("length of exp", curve("exp(-s)*cos(2*s)", "exp(-s)*sin(2*s)", "exp(s/3)"), ["--length", "--digits", "12", "--at", "2/7,1"]),
+    ("log, sqrt and atan", LOG, ["--digits", "10", "--frame", "frenet"]),
+    ("others", curve("tan(t)/2", "asin(t/2) + cosh(t)", "t**(2/3) - e^t/t**3", "pi/8", 1), ["--digits", "8", "--up", "0,1,1/3"]),
+    ("plane", curve("s", "sin(s)", 0, 1, 2), ["--digits", "10", "--frame", "frenet"])]
+
+
+def check_value(name, value, certificate):
+    """The last claim is that of mpmath's quadrature; derivatives are those of mpmath's Taylor series."""
+    try:
+        from mpmath import mp
+    except ImportError:
+        return
+    mp.dps = 15
+    names = {key: getattr(mp, key) for key in ("sin", "cos", "exp", "log", "sqrt", "atan", "asin", "tan", "cosh", "e", "pi")}
+    number = lambda text, **more: mp.mpf(eval(str(text).replace("^", "**"), {**names, **more}))
+    given, variable = value["expressions"], "u" if "u" in value["expressions"]["x"] else "t" if name == "others" else "s"
+    a, b, up = number(value["from"]), number(value["to"]), [number(x) for x in certificate.get("up", [])]
+    dot = lambda a, b: sum(x * y for x, y in zip(a, b))
+    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+    def rate(s):
+        series = [mp.taylor(lambda x: number(given[key], **{variable: x}), s, 3) for key in "xyz"]
+        d, e, f = ([row[n] * mp.factorial(n) for row in series] for n in (1, 2, 3))
+        speed = mp.sqrt(dot(d, d))
+        if certificate["frame"] == "none":
+            return speed
+        if certificate["frame"] == "frenet":
+            bend = cross(d, e)
+            return -speed * dot(bend, f) / dot(bend, bend)
+        n, slope = cross(up, d), cross(up, e)
+        size = mp.sqrt(dot(n, n))
+        e2 = [x / size for x in n]
+        return -dot([(x - y * dot(e2, slope)) / size for x, y in zip(slope, e2)], cross([x / speed for x in d], e2))
+    if name == "trefoil, Frenet":  # the trapezoidal rule of a period converges geometrically
+        total = sum(rate(a + (b - a) * k / 150) for k in range(150)) * (b - a) / 150
+    else:
+        total = mp.quadgl(rate, mp.linspace(a, b, 13 if name == "helix" else 3), maxdegree=3)
+    stated = mp.mpf(certificate["claims"][-1].get("theta", certificate["claims"][-1].get("length")))
+    if abs(total - stated) > mp.mpf("1e-7") * max(1, abs(stated)) + mp.mpf(certificate["claims"][-1]["radius"]):
+        sys.exit("%s: quadrature finds %s, stated is %s" % (name, total, stated))
+
+
+def check_to_the_last_bit(name, certificate, path):
+    """With the least radius that follows from the pieces both prove the claim, with a smaller one neither does."""
+    proof = checker.proof_of(checker.read_certificate(json.dumps(certificate).encode(), Namespace(max_degree=1001, unlimited=False)))
+    proof.run()
+    low, high = proof.bounds(0, Fraction(1))
+    value = Fraction(certificate["claims"][-1].get("theta", certificate["claims"][-1].get("length")))
+    least = max(value - low, high - value)
+    digits = least.denominator.bit_length()
+    for n, status in () if least == 0 else ((least * 10 ** digits, 0), (least * 10 ** digits - 1, 1)):
+        certificate["claims"] = [{**certificate["claims"][-1], "radius": "%de-%d" % (n, digits)}]
+        path.write_text(json.dumps(certificate))
+        expect(status, name + " to the last bit", path)
+
+
+def check_honest(here):
+    path, file = here / "a.cert", here / "a.json"
+    for name, value, arguments in SUBJECTS:
+        file.write_text(json.dumps(value))
+        done = run("certify", file, *arguments, "-o", path)
+        if done.returncode:
+            sys.exit("%s: %s" % (name, done.stderr))
+        expect(0, name, path, curve=file)
+        certificate = json.loads(path.read_text())
+        if ALL or name in ("trefoil, Frenet", "exp"):
+            check_value(name, value, certificate)
+        if name == "helix" and abs(Fraction(certificate["claims"][0]["theta"]) - Fraction(  # 4 pi/5
+                "2.51327412287183459077011470662360230773577395")) > Fraction(certificate["claims"][0]["radius"]):
+            sys.exit("the helix: %s" % certificate["claims"])
+        if ALL or name in ("exp", "log, sqrt and atan", "others"):
+            check_to_the_last_bit(name, certificate, path)
+
+
+# ---- forged ones
+
+def check_table(here, certificate):
+    """Tables of frames along such curves are not proved."""
+    table = here / "frames.csv"
+    table.write_text("t,x,y,z,e1x,e1y,e1z,f2x,f2y,f2z,f3x,f3y,f3z\n" + ",".join(["1"] * 13) + "\n")
+    options = Namespace(quiet=False, curve=None, table=str(table), max_degree=1001, unlimited=False, files=[])
+    out = io.StringIO()
+    with redirect_stdout(out):
+        status = checker.check(str(certificate), options)
+    done = run("verify", certificate, "--table", table)
+    if (status, done.returncode) != (1, 1) or "there are none of curves by formulas" not in out.getvalue():
+        sys.exit("the table: %s, %s" % (out.getvalue(), done))
+
+
+def forgeries(honest):
+    """Of a part of the trefoil: (what is done, the status, what is told, the file)."""
+    text, pieces, last = "not proved  |theta(1) - ", "not proved  pieces of segment 0", honest["claims"][-1]
+
+    def changed(do):
+        lie = copy.deepcopy(honest)
+        do(lie, lie["segments"][0]["pieces"])
+        return lie
+
+    def with_formula(key, text):
+        return changed(lambda c, p: c["segments"][0]["expressions"].update({key: text}))
+    value = Fraction(last["theta"])
+    for by in (-1, 1):
+        yield "a unit of the last digit", 1, text, changed(lambda c, p: c["claims"][-1].update(theta="%.4f" % float(value + Fraction(by, 10 ** 4))))
+    yield "another sign", 1, text, changed(lambda c, p: c["claims"][-1].update(theta="%.4f" % -float(value)))
+    yield "a radius too small", 1, text, changed(lambda c, p: c["claims"][-1].update(radius="1e-20"))
+    yield "the radius 0", 1, text, changed(lambda c, p: c["claims"][-1].update(radius="0"))
+    yield "another t", 1, "not proved  |theta(1/2) - ", changed(lambda c, p: c["claims"][-1].update(t="1/2"))
+    yield "beyond the end", 1, "not proved  |theta(2) - ", changed(lambda c, p: c["claims"][-1].update(t="2"))
+    yield "another vector", 1, text, changed(lambda c, p: c.update(up=["0", "1", "9"]))
+    yield "the opposite vector", 0, "", changed(lambda c, p: c.update(up=[str(-int(x)) for x in c["up"]]))
+    yield "the vector 0", 1, pieces, changed(lambda c, p: c.update(up=["0", "0", "0"]))
+    for key, formula in (("x", "(2 + cos(3*s))*cos(5*s)"), ("x", "(2 + sin(3*s))*cos(2*s)"), ("y", "(2 + cos(3*s))*sin(2*s + 1/1000)"),
+                         ("z", "2*sin(3*s)"), ("from", "1/1000"), ("to", "pi/3 + 1/1000")):
+        yield "another formula, " + formula, 1, text, with_formula(key, formula)
+    yield "undefined", 1, pieces, with_formula("z", "log(s - 1)")
+    yield "a pole", 1, pieces, with_formula("z", "1/(s - 1)")
+    yield "an infinite slope", 1, pieces, with_formula("z", "sqrt(s)")
+    yield "a point", 1, pieces, with_formula("to", "0")
+    yield "a cusp", 1, pieces, changed(lambda c, p: c["segments"][0]["expressions"].update(x="sin(s)^2", y="s^2", z="s^3"))
+    yield "too great", 1, pieces, with_formula("x", "exp(exp(1 + s))")
+    yield "no pieces", 1, pieces, changed(lambda c, p: p.clear())
+    yield "the last piece lost", 1, pieces, changed(lambda c, p: p.pop())
+    yield "a gap", 1, "", changed(lambda c, p: [p.pop(1) for _ in range(2)])
+    yield "one piece", 1, pieces, changed(lambda c, p: p.__delitem__(slice(-1)))
+    yield "an overlap", 1, pieces, changed(lambda c, p: p[0].update(to=p[1]["to"]))
+    yield "back", 1, pieces, changed(lambda c, p: p.reverse())
+    yield "beyond 1", 1, pieces, changed(lambda c, p: p[-1].update(to="9/8"))
+    yield "a piece too short", 1, pieces, changed(lambda c, p: p.insert(0, {**p[0], "to": "1/%d" % (2 ** 30 + 1)}))
+    yield "a short piece", 0, "", changed(lambda c, p: p.insert(0, {**p[0], "to": "1/%d" % 2 ** 30}))
+    yield "too few terms", 1, "", changed(lambda c, p: p[1].update(order=5))
+    yield "too few bits", 1, "", changed(lambda c, p: p[1].update(bits=20))
+    yield "no bits", 1, pieces, changed(lambda c, p: p[1].update(bits=0))
+    yield "more terms and bits", 0, "", changed(lambda c, p: p[1].update(order=40, bits=99))
+    # What is no certificate.
+    yield "one term", 2, "order", changed(lambda c, p: p[1].update(order=1))
+    yield "negative bits", 2, "bits", changed(lambda c, p: p[1].update(bits=-1))
+    yield "bits in quotes", 2, "bits", changed(lambda c, p: p[1].update(bits="99"))
+    yield "a rate", 2, "rate", changed(lambda c, p: p[1].update(rate=["1"]))
+    yield "no end", 2, "to", changed(lambda c, p: c["segments"][0]["expressions"].pop("to"))
+    yield "a weight", 2, "w", changed(lambda c, p: c["segments"][0].update(w=["1"]))
+    yield "two segments", 2, "/segments/0", changed(lambda c, p: c["segments"].append(c["segments"][0]))
+    for formula in ("sin(3 *s)", "sin(3*t)", "sin(3s)", "sin 3*s", "tan(s)", "sin((s))", "2*(3*s) + -1", "e^s", "s**2", "1.5*s", "s^1001", "s^(1/1001)", "",
+                    "s^s", "1/0", "sin(s", "sin(s))", "(" * 61 + "s" + ")" * 61, "+s", "s + 1e3", "-(-s))", "cos(\u03b8)", "s^(-1/2)^2", "1/(1 - 1)", "sin(s)x"):
+        yield "no formula, " + formula, 2, "/expressions/z", with_formula("z", formula)
+    yield "an end that is no constant", 2, "/expressions/to", with_formula("to", "2*s")
+    yield "rational functions", 2, "rational", changed(lambda c, p: c["segments"][0]["expressions"].update(x="s", y="s^2", z="1/(1 + s)^(-3)", to="1"))
+    yield "too much work", 2, "work", changed(lambda c, p: p[0].update(order=3000))
+
+
+def check_forged(here):
+    path, file, other = here / "a.cert", here / "a.json", here / "b.json"
+    file.write_text(json.dumps(PART))
+    run("certify", file, "--digits", "4", "-o", path)
+    honest, number = json.loads(path.read_text()), 0
+    check_table(here, path)
+    run("certify", file, "--at", "0", "-o", other)
+    expect(0, "at the start alone", other)
+    for changed in ({"to": "pi/3 + 0"}, {"expressions": {**PART["expressions"], "z": "sin(s*3)"}}, {"to": 1}):
+        other.write_text(json.dumps({**PART, **changed}))
+        expect(1, "another curve", path, curve=other, line="not proved  curve of")
+    other.write_text(json.dumps({**PART, "variable": "phi", "expressions": {
+        key: text.replace("s)", "phi)").replace(" ", "") for key, text in PART["expressions"].items()}, "to": " pi /3"}))
+    expect(0, "the same curve in other letters", path, curve=other)
+    for what, status, line, lie in forgeries(honest):
+        path.write_text(json.dumps(lie))
+        expect(status, what, path, line=line)
+        number += 1
+    return number
+
+
+def check_refused(here):
+    file = here / "a.json"
+    for value, arguments, words in (({"phrame": "spline/1", "segments": [TREFOIL, curve("3 + s", "3*s", "3*s")]}, [], "formulas"),
+                                    (curve("s", "sin(s)", "0"), ["--frame", "frenet"], "next to t = 0: a divisor may be 0"), (TREFOIL, ["--holonomy"], "PH")):
+        file.write_text(json.dumps(value))
+        done = run("certify", file, *arguments)
+        if done.returncode not in (2, 3, 4) or words not in done.stderr.splitlines()[-1] or done.stdout:
+            sys.exit("%s: status %d, %s" % (words, done.returncode, done.stderr))
+
+
+def check_models():
+    """A number that may be 0 has no inverse, root and logarithm."""
+    models = checker.Models(4, 10)
+    for f in (models.inverse, models.root, models.log):
+        f(([500], 200))
+        for model in (([500], 500), ([500, 300], 200), ([], 0), ([0, 1], 0)):
+            try:
+                sys.exit("%s of %s is %s" % (f.__name__, model, f(model)))
+            except checker.NotProved:
+                pass
+
+
+def main():
+    check_models()
+    with tempfile.TemporaryDirectory() as name:
+        check_honest(Path(name))
+        print("%d forged certificates of formulas" % check_forged(Path(name)))
+        check_refused(Path(name))
+
+
+if __name__ == "__main__":
+    main()
