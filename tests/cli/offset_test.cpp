@@ -397,7 +397,8 @@ TEST_CASE("offset: as a page, with marks, points along it, measures and the repo
       {"u": ["1/2"], "v": [0], "p": [0], "q": [-1, 2]}})");
   check_success(here.run("offset mirrored.json --distance=-1/24 -o mirrored.html"));
   const std::string touching = bytes_of(here.file("mirrored.html"));
-  CHECK(count_of(touching, "touches itself: t = 0.250000000000 and t = 0.750000000000") == 1);
+  CHECK(count_of(touching, "touches itself: t = 0.25000000000000000 and t = 0.75000000000000000") ==
+        1);
   CHECK(count_of(touching, "meets itself: ") == 0);
 }
 

@@ -131,7 +131,7 @@ Frame<Real> turned(const Frame<Real>& frame, const Real& theta) {
       const RealBall a = x.enclose(bits + 8);
       const RealBall b = y.enclose(bits + 8);
       const long size = std::max(exponent_above(a), exponent_above(b));
-      const CosSin& cs = turn(std::clamp(bits + 8 + size, 32L, bits + 8));
+      const CosSin& cs = turn(std::max(32L, bits + 8 + std::min(size, 0L)));
       return add(multiply(cs.cos, a, bits + 8), multiply(cs.sin, b, bits + 8), bits + 8);
     };
     return {enclosure, {false, theta.origin().bits + x.origin().bits + y.origin().bits}};
