@@ -1533,7 +1533,7 @@ def read_curves(name, limits):
     kind = one_of("curve/1", "spline/1")(value.get("phrame") if isinstance(value, dict) else None, "/phrame")
     is_spline = kind == "spline/1"
     if "expressions" in value:
-        return [form_of_texts(texts_of(value))]
+        return [curve_of_texts(texts_of(value), limits)]
     if is_spline:
         require_keys(value, "", "phrame", "segments", "frame")
         expect(bool, "a segment is wanted", [lambda value, place: value])(value.get("segments"), "/segments")
@@ -1544,6 +1544,56 @@ def read_curves(name, limits):
             end = [x(1) / W(1) for x in X]
         curves.append((hodograph, over, start, A))
     return curves
+
+
+def of_quotient(X, W, place, A=None):
+    """The curve X/W as read_curve() has it."""
+    if not W(0) or not W(1):
+        fail(place, "the weight is 0 at an end", [str(x) for x in W.c])
+    slope = W.derivative()
+    hodograph = [x.derivative() * W - x * slope for x in X]
+    return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], A
+
+
+def values_of_rational(f, s, limits):
+    """Numerator and denominator of each step, for s."""
+    values, one = [], Poly([1])
+    for (name, left, right), number in zip(f.steps, f.numbers):
+        if number is not None:
+            N, D = Poly([number.numerator], number.denominator), one
+        elif name == "s":
+            N, D = s, one
+        elif name == "power":
+            (N, D), k = values[left], int(right)
+            if abs(k) * max(len(N.c), len(D.c), 2) > 2 * limits.max_degree + 2:
+                fail("/expressions", "an exponent is too large for a rational curve", right)
+            N, D = (N, D) if k >= 0 else (D, N)
+            N, D = (reduce(Poly.__mul__, [p] * abs(k), one) for p in (N, D))
+        else:
+            (a, b), (c, d) = values[left], values[right]
+            N, D = (a * d + c * b, b * d) if name == "+" else (a * c, b * d) if name == "*" else (a * d, b * c)
+        if not D:
+            fail("/expressions", "a division by 0", name)
+        K = common(N, D)
+        N, D = N.over(K), D.over(K)
+        if max(len(N.c), len(D.c)) > limits.max_degree + 1:
+            fail("/expressions", "the degree is too large for a rational curve", name)
+        values.append((N, D))
+    return values
+
+
+def curve_of_texts(texts, limits):
+    """The exact form of a curve by formulas; where they are rational functions, the curve X/W."""
+    C = SimpleNamespace(expressions=SimpleNamespace(**texts))
+    complete_formulas(C)
+    if not (is_rational(C.f) and is_rational(C.ends)):
+        return form_of_texts(texts)
+    ends = values_of_rational(C.ends, Poly([]), limits)
+    a, b = (N(0) / D(0) for N, D in (ends[C.steps[key]] for key in ENDS))
+    values = values_of_rational(C.f, over_one_denominator([a, b - a]), limits)
+    parts = [values[C.steps[key]] for key in AXES]
+    X = [reduce(Poly.__mul__, [parts[k][0]] + [parts[j][1] for j in range(3) if j != k]) for k in range(3)]
+    return of_quotient(X, reduce(Poly.__mul__, [D for _, D in parts]), "/expressions")
 
 
 FORMS = ("preimage", "quaternions", "hopf", "complex", "control_points", "position", "tangents")
@@ -1588,14 +1638,6 @@ def read_curve(value, at, limits, end):
         if basis == "bernstein" and len(set(map(len, lists))) > 1:
             fail(at, "Bernstein lists of equal lengths are wanted", value)
 
-    def quotient(X, W, place, A=None):
-        """Of r = X/W."""
-        if not W(0) or not W(1):
-            fail(place, "the weight is 0 at an end", value)
-        slope = W.derivative()
-        hodograph = [x.derivative() * W - x * slope for x in X]
-        return *in_lowest_terms(hodograph, W * W), [x(0) / W(0) for x in X], A
-
     form = [key for key in FORMS if isinstance(value, dict) and key in value]
     if len(form) != 1:
         fail(at, "a curve/1 with one of %s is wanted (phrame identify --print curve)" % ", ".join(FORMS), value)
@@ -1609,7 +1651,7 @@ def read_curve(value, at, limits, end):
             fail(at + "/control_points", "2 to %d points are wanted" % (limits.max_degree + 1), len(points))
         weights = read((number,) * len(points), value.get("weights", [1] * len(points)), at + "/weights")
         X = [from_bernstein([w * x for w, x in zip(weights, c)]) for c in zip(*points)]
-        return quotient(X, from_bernstein(weights), at + "/weights")
+        return of_quotient(X, from_bernstein(weights), at + "/weights")
     basis = one_of("power", "bernstein")(value.get("basis"), at + "/basis")
     if "position" in value:
         place, given = at + "/position", value["position"]
@@ -1617,7 +1659,7 @@ def read_curve(value, at, limits, end):
             fail(place, "an object with x, y, z and w is wanted", given)
         lists = {"z": [0], "w": [1], **given}
         *X, W = [polynomial(lists.get(key), "%s/%s" % (place, key)) for key in (*AXES, "w")]
-        return quotient(X, W, place)
+        return of_quotient(X, W, place)
     given, place = value[form[0]], at + "/" + form[0]
     if "tangents" in value:  # n.r = p: r = p n + (p'/phi') n turned, n = (2ab, a^2 - b^2)/(a^2 + b^2), phi its angle
         lines = read({"a": polynomial, "b": polynomial, "support": fraction}, given, place)
@@ -1627,7 +1669,7 @@ def read_curve(value, at, limits, end):
         X = [p * over * turn * n[0] - slope * n[1], p * over * turn * n[1] + slope * n[0], Poly([])]
         W = size * over * over * turn
         K = common(*X, W) if W else fail(place, "the normal does not turn", given)
-        return quotient([x.over(K) for x in X], W.over(K), place, [b, Poly([]), Poly([]), a])
+        return of_quotient([x.over(K) for x in X], W.over(K), place, [b, Poly([]), Poly([]), a])
     if "preimage" in value:
         A = vars(read({key: polynomial for key in "uvpq"}, given, place))
         require_equal_lengths(given.values())

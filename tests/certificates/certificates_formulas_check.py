@@ -111,6 +111,21 @@ def check_to_the_last_bit(name, certificate, path):
         expect(status, name + " to the last bit", path)
 
 
+def check_rational(here):
+    """A file whose formulas are rational functions has a certificate of these, and is its curve; another one is not."""
+    path, file = here / "a.cert", here / "a.json"
+    for value, arguments in ((curve("s", "s^2", 0, 0, 1), ["--up", "1,2,3"]), (curve("s - s^3/3", "s^2", 0, -1, "3/2"), []),
+                             (curve("(1 - s^2)/(1 + s^2)", "2*s/(1 + s^2)", "s^(-1)*s^2/(1 + s/7)", "1/3", "2"), ["--length"])):
+        file.write_text(json.dumps(value))
+        done = run("certify", file, *arguments, "--digits", "12", "-o", path)
+        if done.returncode:
+            sys.exit("rational: %s" % done.stderr)
+        expect(0, "rational formulas", path, curve=file)
+        value["to"] = "5/2"
+        file.write_text(json.dumps(value))
+        expect(1, "other rational formulas", path, curve=file)
+
+
 def check_honest(here):
     path, file = here / "a.cert", here / "a.json"
     for name, value, arguments in SUBJECTS:
@@ -250,6 +265,7 @@ def check_models():
 def main():
     check_models()
     with tempfile.TemporaryDirectory() as name:
+        check_rational(Path(name))
         check_honest(Path(name))
         print("%d forged certificates of formulas" % check_forged(Path(name)))
         check_refused(Path(name))
