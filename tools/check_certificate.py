@@ -1540,6 +1540,8 @@ def read_curves(name, limits):
     for k, part in enumerate(value["segments"] if is_spline else [value]):
         hodograph, over, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
         if is_spline:
+            if k > 0 and list(start) != list(end):
+                fail("/segments/%d" % k, "it starts at %s, but the spline ends at %s" % tuple(", ".join(map(str, p)) for p in (start, end)), part)
             X, W = position_of(hodograph, over, start)
             end = [x(1) / W(1) for x in X]
         curves.append((hodograph, over, start, A))
@@ -1596,6 +1598,7 @@ def curve_of_texts(texts, limits):
     return of_quotient(X, reduce(Poly.__mul__, [D for _, D in parts]), "/expressions")
 
 
+NUMBER_OF_CURVE = re.compile(r"[-+]?([0-9]+/0*[1-9][0-9]*|([0-9]+([.][0-9]*)?|[.][0-9]+)([eE][-+]?[0-9]{1,4})?)", re.ASCII)
 FORMS = ("preimage", "quaternions", "hopf", "complex", "control_points", "position", "tangents")
 
 
@@ -1605,13 +1608,14 @@ def require_keys(value, place, *known):
     for key in value.written:
         if key not in known or value.written.count(key) > 1:
             fail(place, "the key %s is unknown or there twice" % json.dumps(key), value)
+    string(value.get("name", ""), place + "/name")
 
 
 def read_curve(value, at, limits, end):
     """At this place of a file; without a start it begins at `end`."""
     def number(x, place):
         text = str(x) if type(x) in (str, int, float) else ""
-        if not re.match(r"[-+]?[0-9.]+(/[0-9]+|[eE][-+]?[0-9]{1,4})?\Z", text, re.ASCII):
+        if not NUMBER_OF_CURVE.fullmatch(text):
             fail(place, "a number is wanted", x)
         return Fraction(text)
 
@@ -2744,9 +2748,10 @@ TABLE = ["t"] + [v + axis for v in ("", "e1", "f2", "f3") for axis in "xyz"]
 def read_table(name):
     """The rows of a table as phrame frames writes it."""
     try:
-        lines = read_file(name).decode("ascii").splitlines()
+        lines = read_file(name).decode("ascii").split("\n")
     except UnicodeDecodeError:
         raise Malformed(" it is no text") from None
+    lines = [line[:-1] if line[-1:] == "\r" else line for line in (lines if lines[-1] else lines[:-1])]
     if not lines or lines[0] != ",".join(TABLE):
         raise Malformed(" its first line is not %s" % ",".join(TABLE))
     rows = [line.split(",") for line in lines[1:]]

@@ -7,6 +7,8 @@
 // there is nothing else; it is taken back before anything else is granted.
 #include "phrame/algebra/out_of_memory.hpp"
 
+#include <mpfr.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <exception>

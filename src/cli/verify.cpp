@@ -112,17 +112,22 @@ Statement check_curves(const C& c, const std::string& path, const CurveLimits& l
 std::vector<std::vector<Rational>> read_table(const std::string& text) {
   std::istringstream lines(text);
   std::string line;
-  std::getline(lines, line);
+  const auto next_line = [&] {
+    if (!std::getline(lines, line)) return false;
+    if (line.ends_with('\r')) line.pop_back();
+    return true;
+  };
   const std::string head = fmt::format("{}", fmt::join(certified_columns(), ","));
-  if (line != head) throw InputError("line 1", "it is not " + head);
+  if (!next_line() || line != head) throw InputError("line 1", "it is not " + head);
   static const std::regex number("-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]{1,3})?");
   std::vector<std::vector<Rational>> rows;
-  while (std::getline(lines, line)) {
+  while (next_line()) {
     const std::vector<std::string> cells = split({line});
     const auto is_number = [&](const std::string& cell) {
       return cell.size() <= 400 && std::regex_match(cell, number);
     };
-    if (cells.size() != certified_columns().size() || !std::ranges::all_of(cells, is_number))
+    if (line.find_first_of(" \t\v\f\r") != std::string::npos ||
+        cells.size() != certified_columns().size() || !std::ranges::all_of(cells, is_number))
       throw InputError(line_place(static_cast<long>(rows.size()) + 2),
                        fmt::format("{} decimal numbers are wanted", certified_columns().size()));
     rows.emplace_back();

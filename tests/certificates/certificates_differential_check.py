@@ -1,5 +1,6 @@
 """Both checkers accept the same files: certificates are changed at random, and what tools/check_certificate.py and
-`phrame verify` say of each is compared: no certificate (exit status 2), all is proved (0), or not (1).
+`phrame verify` say of each is compared: no certificate (exit status 2), all is proved (0), or not (1). Then of true certificates
+with a table of frames (--table) and with the file of a curve (--curve), which are changed.
 
     PHRAME_PROGRAM=build/dev/bin/phrame tests/certificates/certificates_differential_check.py [--number N] [--seed S] [--keep DIR]
 """
@@ -190,8 +191,7 @@ def candidate(originals, chance):
         change(certificate, chance)
     data = json.dumps(certificate, ensure_ascii=False).encode("utf-8")
     if chance.random() < 0.1:  # broken JSON, mostly
-        k = chance.randrange(len(data))
-        data = data[:k] + chance.choice(BYTES) + data[k + chance.randrange(2):]
+        data = broken(data, chance)
     if chance.random() < 0.02:  # a key twice
         data = data.replace(b'"bits"', b'"h": [], "bits"', 1)
     return data
@@ -223,23 +223,99 @@ def with_each_text_of_polynomial(original):
                  (*logs, "roots", 0, "center", 0), ("decisions", "line", "answer"), ("decisions", "regular", "cusps")))
 
 
-def by_script(paths):
+def broken(data, chance):
+    k = chance.randrange(len(data))
+    return data[:k] + chance.choice(BYTES) + data[k + chance.randrange(2):]
+
+
+def beside():
+    """(option, certificate, what is given beside it) of curves of all kinds, but of PH splines whose frames depend on preimages."""
+    values = [{"phrame": "curve/1", "basis": "power", "preimage": QUINTIC, "multiplier": ["-1", "2", "1"]},
+              {"phrame": "curve/1", "basis": "power", "preimage": TWISTED[0], "multiplier": TWISTED[1]}, CUBIC, INTEGRALS[3][0], INTEGRALS[6][0],
+              json.loads((ROOT / "tests/data/rational-path.json").read_text())]
+    formulas = {"phrame": "curve/1", "expressions": {"x": "cos(u)", "y": "sin(u)", "z": "u/3", "variable": "u"}, "from": 0, "to": "pi/2"}
+    for value in [*values, formulas]:
+        text = json.dumps(value)
+        at = "0,1/3,1"
+        run = lambda *arguments: subprocess.run([PROGRAM, *arguments, "--at", at], input=text, capture_output=True, text=True, check=True).stdout
+        yield "--curve", run("certify", "-", "--digits", "6"), text
+        if value is not formulas:
+            yield "--table", run("certify", "-", "--digits", "30"), run("frames", "-")
+
+
+def changed_table(text, chance):
+    rows = [line.split(",") for line in text.splitlines()]
+    for _ in range(chance.choice([1, 1, 2])):
+        k, what = chance.randrange(len(rows)), chance.randrange(8)
+        i = chance.randrange(len(rows[k])) if rows[k] else 0
+        if what < 4 and rows[k]:
+            x = rows[k][i]
+            if what == 0 and re.match("-?[0-9]", x):  # the next double
+                x = repr(float(x) * (1 + chance.choice([-1, 1]) * 2.0 ** -52))
+            rows[k][i] = changed_text(x, chance) if what in (1, 2) else chance.choice(TEXTS) if what == 3 else x
+        elif what == 4:
+            rows.insert(k, rows[chance.randrange(len(rows))])
+        elif what == 5 and len(rows) > 1:
+            rows.pop(k)
+        elif what == 6 and rows[k]:
+            rows[k].pop(i)
+        else:
+            j = chance.randrange(len(rows))
+            rows[j], rows[k] = rows[k], rows[j]
+    return chance.choice(["\n"] * 9 + ["\r\n"]).join(",".join(row) for row in rows) + chance.choice(["\n"] * 9 + [""])
+
+
+def changed_beside(option, text, chance):
+    if chance.random() < 0.1:
+        return text.encode()
+    if option == "--table":
+        data = changed_table(text, chance).encode()
+    else:
+        value = json.loads(text)
+        for _ in range(chance.choice([1, 1, 2])):
+            change(value, chance)
+        data = json.dumps(value, ensure_ascii=False).encode()
+    return broken(data, chance) if data and chance.random() < 0.1 else data
+
+
+def by_script(path, option=None, given=None):
     options = argparse.Namespace(quiet=False, curve=None, table=None, max_degree=checker.MAX_DEGREE, unlimited=False, files=[])
-    found = []
-    for path in paths:
-        out = io.StringIO()
-        with redirect_stdout(out), redirect_stderr(out):
-            status = checker.check(str(path), options)
-        found.append((status, out.getvalue()))
-    return found
+    if option:
+        setattr(options, option[2:], str(given))
+    out = io.StringIO()
+    with redirect_stdout(out), redirect_stderr(out):
+        status = checker.check(str(path), options)
+    return status, out.getvalue()
 
 
-def by_program(paths):
-    found = []
-    for path in paths:
-        run = subprocess.run([PROGRAM, "verify", "--full", str(path)], capture_output=True, text=True)
-        found.append((run.returncode, run.stdout + run.stderr))
-    return found
+def by_program(path, *more):
+    run = subprocess.run([PROGRAM, "verify", "--full", path, *more], capture_output=True, text=True)
+    return run.returncode, run.stdout + run.stderr
+
+
+def check_beside(number, seed, folder, keep):
+    """So many changed tables and files of curves; the number of those about which the checkers differ. Of curves verify reads more
+    files, and tells of what is none, where the script says that it is another one."""
+    originals, seen, differ, more = list(beside()), {0: 0, 1: 0, 2: 0}, 0, 0
+    certificate = Path(folder) / "beside.cert"
+    for k in range(number):
+        chance = random.Random(seed * 10 ** 9 + k)
+        option, text, given = chance.choice(originals)
+        certificate.write_text(text)
+        path = Path(keep or folder) / ("%d%s" % (k, option))
+        path.write_bytes(changed_beside(option, given, chance))
+        (mine, told), (other, said) = by_script(certificate, option, path), by_program(certificate, option, path)
+        seen[mine] = seen.get(mine, 0) + 1
+        if option == "--curve" and (mine != other and 0 not in (mine, other) or (mine, other) == (2, 0)):
+            more += other == 0
+        elif mine != other or mine != 2 and statements(told) != statements(said):
+            differ += 1
+            print("%d %s: the script %s, verify %s\n%s\n%s\n%s" % (k, option, mine, other, path.read_bytes()[:600], told[-300:], said[-300:]))
+            continue
+        path.unlink()
+    print("%d tables and files of curves, by the script %d proved, %d not proved, %d refused; %d curves only verify reads; %d differ"
+          % (number, seen[0], seen[1], seen[2], more, differ))
+    return differ
 
 
 def statements(text):
@@ -252,6 +328,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     effort = int(os.environ.get("PHRAME_TEST_MULTIPLIER", 1))
     parser.add_argument("--number", type=int, default=80 * effort)
+    parser.add_argument("--beside", type=int, default=40 * effort, help="so many tables and files of curves")
     parser.add_argument("--every", type=int, default=1 if effort > 1 else 13, help="of the texts that are tried at each place")
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--keep", metavar="DIR", help="where files about which they differ are put")
@@ -268,7 +345,7 @@ def main():
         for number, data in enumerate(chain(changed, islice(texts, 0, None, options.every))):
             path = Path(options.keep or folder) / ("%d.cert" % number)
             path.write_bytes(data)
-            (mine, told), (other, said) = by_script([path])[0], by_program([path])[0]
+            (mine, told), (other, said) = by_script(path), by_program(path)
             seen[mine] = seen.get(mine, 0) + 1
             if mine == other and (mine == 2 or statements(told) == statements(said)):
                 path.unlink()
@@ -277,6 +354,7 @@ def main():
             print("%d: the script %s, verify %s\n%s\n%s" % (number, mine, other,
                   [line for line in told.splitlines() if not line.startswith("proved")],
                   [line for line in said.splitlines() if not line.startswith("proved")]))
+        differ += check_beside(options.beside, options.seed, folder, options.keep)
     print("%d certificates, by the script %d proved, %d not proved, %d refused; %d differ"
           % (sum(seen.values()), seen[0], seen[1], seen[2], differ))
     if differ or options.number >= 400 and min(seen[0], seen[1], seen[2]) < 10:
