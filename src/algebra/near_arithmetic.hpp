@@ -21,9 +21,10 @@ inline NearNumber operator+(const NearNumber& a, const NearNumber& b) {
   return within(a.value + b.value, a.error + b.error + pair_error * (size_of(a) + size_of(b)));
 }
 
-inline NearNumber operator-(const NearNumber& a, const NearNumber& b) {
-  return a + NearNumber{{-b.value.high, -b.value.low}, b.error};
+inline NearNumber operator-(const NearNumber& x) {
+  return {{-x.value.high, -x.value.low}, x.error};
 }
+inline NearNumber operator-(const NearNumber& a, const NearNumber& b) { return a + -b; }
 
 inline NearNumber operator*(const NearNumber& a, const NearNumber& b) {
   const double size = size_of(a) * size_of(b);

@@ -98,8 +98,6 @@ std::pair<long, NearNumber> by_steps(const NearNumber& x, const NearNumber& step
   return {static_cast<long>(count), x - NearNumber{{count}} * step};
 }
 
-NearNumber negative(const NearNumber& x) { return {pairs::negative(x.value), x.error}; }
-
 /// e^x for |x| < 300.
 NearNumber exp(double x) {
   const Powers& powers = Powers::known();
@@ -160,7 +158,7 @@ NearComplex log(const NearComplex& z) {
   const NearNumber over = exp(-re);
   const auto [c, s] = cos_sin({{im}});
   const NearNumber x = over * c;
-  const NearNumber y = negative(over * s);
+  const NearNumber y = -(over * s);
   const NearComplex unit{x.value, y.value, raised(x.error + y.error)};
   const NearComplex delta = z * unit - NearComplex{{1}, {}};
   const double off = pairs::size_above(delta) + delta.error;

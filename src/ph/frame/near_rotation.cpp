@@ -33,8 +33,6 @@ NearNumber evaluate(const std::vector<NearNumber>& p, const NearNumber& t) {
   return value;
 }
 
-NearNumber negative(const NearNumber& x) { return {pairs::negative(x.value), x.error}; }
-
 }  // namespace
 
 bool has_near_rotations(const PathAngle& angle) {
@@ -98,7 +96,7 @@ std::optional<CompiledFrames::Rotation> NearRotations::at(std::size_t segment,
     const NearNumber p = evaluate(here.preimage.p, t);
     const NearNumber q = evaluate(here.preimage.q, t);
     const NearNumber over = inverse_root(u * u + v * v + p * p + q * q);
-    const NearNumber minus_s = negative(s);
+    const NearNumber minus_s = -s;
     const std::array<NearNumber, 4> b{over * (u * c + v * minus_s), over * (v * c + u * s),
                                       over * (p * c + q * s), over * (q * c + p * minus_s)};
     double error = 0;
