@@ -250,7 +250,7 @@ def changed_table(text, chance):
         i = chance.randrange(len(rows[k])) if rows[k] else 0
         if what < 4 and rows[k]:
             x = rows[k][i]
-            if what == 0 and re.match("-?[0-9]", x):  # the next double
+            if what == 0 and re.fullmatch("-?[0-9]+([.][0-9]+)?", x):  # the next double
                 x = repr(float(x) * (1 + chance.choice([-1, 1]) * 2.0 ** -52))
             rows[k][i] = changed_text(x, chance) if what in (1, 2) else chance.choice(TEXTS) if what == 3 else x
         elif what == 4:
