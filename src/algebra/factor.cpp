@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/known_factor.hpp"
 #include "phrame/algebra/modular.hpp"
 
 namespace phrame::inline v0 {
@@ -51,5 +52,14 @@ Factorization squarefree_factorization(const Polynomial& p) {
 }
 
 Factorization factor(const Polynomial& p) { return factorization(p, "factor", fmpz_poly_factor); }
+
+Factorization factor(const Polynomial& p, const Polynomial& divisor) {
+  if (divisor.is_constant() || divisor.degree() == p.degree()) return factor(p);
+  Factorization result{content(p), factor(divisor).factors};
+  for (Factor& other : factor(exact_quotient(p, divisor)).factors)
+    result.factors.push_back(std::move(other));
+  std::sort(result.factors.begin(), result.factors.end(), comes_before);
+  return result;
+}
 
 }  // namespace phrame

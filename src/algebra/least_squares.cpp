@@ -55,6 +55,7 @@ class RestSquares {
  private:
   static std::vector<double> squares(const std::vector<std::vector<double>>& columns) {
     std::vector<double> result;
+    result.reserve(columns.size());
     for (const auto& column : columns) result.push_back(inner(column, column));
     return result;
   }
@@ -70,8 +71,12 @@ double euclidean_norm(std::span<const double> x) { return std::sqrt(inner(x, x))
 PivotedQr::PivotedQr(const DoubleRows& matrix)
     : columns(matrix.front().size()), order(matrix.front().size()), rows(matrix.size()) {
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t x = 0; x < columns.size(); ++x)
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    columns[x].reserve(rows);
     for (const auto& row : matrix) columns[x].push_back(row[x]);
+  }
+  diagonal.reserve(rows);
+  factors.reserve(rows);
   RestSquares squares(columns);
   for (std::size_t k = 0; k < std::min(rows, columns.size()); ++k) {
     const std::size_t pivot = squares.longest(k);
@@ -101,8 +106,9 @@ LeastSquares::LeastSquares(const DoubleRows& matrix, double nothing) : qr_(matri
   factors_.resize(rank_);
   const std::size_t more = qr_.columns.size() - rank_;
   if (more == 0) return;
+  std::vector<double> normal;
   for (std::size_t k = rank_; k-- > 0;) {
-    std::vector<double> normal{diagonal[k]};
+    normal.assign(1, diagonal[k]);
     for (std::size_t j = rank_; j < qr_.columns.size(); ++j) normal.push_back(qr_.columns[j][k]);
     const auto [alpha, factor] = mirror(normal);
     factors_[k] = factor;

@@ -16,6 +16,9 @@ namespace {
 /// From so many words on an integer is long.
 constexpr slong long_limbs = 16;
 
+/// From so many words on a gcd with a denominator takes longer than a product modulo it.
+constexpr slong long_gcd_limbs = 4;
+
 /// Are the coefficients of a long beside those of b? Then the schoolbook algorithms are faster than
 /// FLINT's choice, which pads all coefficients to one length.
 bool is_long_beside(const fmpz* a, slong length_a, const fmpz* b, slong length_b) {
@@ -49,7 +52,7 @@ std::vector<Rational> Polynomial::coefficients() const {
   const auto size = static_cast<std::size_t>(degree() + 1);
   std::vector<Rational> ascending(size);
   const fmpz* d = fmpq_poly_denref(raw());
-  if (fmpz_size(d) < long_limbs || size <= 2) {
+  if (fmpz_size(d) < long_gcd_limbs || size <= 2) {
     for (std::size_t k = 0; k < size; ++k) ascending[k] = coefficient(static_cast<long>(k));
     return ascending;
   }

@@ -15,6 +15,7 @@
 #include "phrame/integrate/algebraic_logs.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/known_integral.hpp"
 #include "phrame/integrate/log_change.hpp"
 #include "phrame/integrate/rothstein_trager.hpp"
 #include "phrame/integrate/turned_logs.hpp"
@@ -157,17 +158,20 @@ bool is_over_quadratic_residues(const LogSum& sum) {
          (sum.index.degree() == 1 || factor(sum.index).factors.size() == 1);
 }
 
-Logs split_logs(const Antiderivative& F) {
+/// Of the sums the simple fractions may be known, one for each.
+Logs split_logs(const Antiderivative& F, const std::vector<SimpleFraction>& known) {
   Logs result;
   std::vector<LogSum> quadratic;
-  for (const LogSum& sum : F.logs) {
+  for (std::size_t k = 0; k < F.logs.size(); ++k) {
+    const LogSum& sum = F.logs[k];
     if (is_over_quadratic_residues(sum)) {  // of a high degree: to find them again takes long
       quadratic.push_back(sum);
       const RationalFunction f = differentiate(sum);
       result.all.push_back({f.numerator(), f.denominator()});
       continue;
     }
-    for (SimpleFraction& f : simple_fractions(differentiate(sum))) {
+    for (SimpleFraction& f : known.empty() ? simple_fractions(differentiate(sum))
+                                           : std::vector<SimpleFraction>{known[k]}) {
       result.all.push_back(f);
       if (has_residues_of_degree_at_most(f, 2))
         quadratic.push_back(over_residues({f}).front());
@@ -212,21 +216,21 @@ std::optional<ExactValue> in_finite_terms(const Logs& logs, const Antiderivative
 
 DefiniteIntegral exactly(const Rational& x) { return {x, exact_value(x)}; }
 
-}  // namespace
-
-DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
-                                   const Endpoint& from, const Endpoint& to, AtPoles at_poles) {
+/// The parts may be known, as those of a FactoredIntegral, and that there are no poles.
+DefiniteIntegral integral_between(const Antiderivative& F, const RationalFunction& f,
+                                  const std::vector<SimpleFraction>& parts, const Endpoint& from,
+                                  const Endpoint& to, AtPoles at_poles, bool has_no_poles) {
   const Endpoint a = simplified(from);
   const Endpoint b = simplified(to);
   if (f.is_zero()) return exactly(0);
-  const bool has_poles = require_integrable(f, a, b, at_poles);
+  const bool has_poles = !has_no_poles && require_integrable(f, a, b, at_poles);
   if (compare(a, b) == 0) return exactly(0);
   if (const auto m = center_of_symmetry(f); m && are_opposite(a, b, *m)) return exactly(0);
 
   // A constant of integration would not vanish at ±∞.
   const RationalFunction plain =
       RationalFunction(F.polynomial - Polynomial{F.polynomial.coefficient(0)}) + F.rational;
-  const Logs logs = split_logs(F);
+  const Logs logs = split_logs(F, parts);
   std::optional<ExactValue> exact;
   if (std::holds_alternative<RealAlgebraic>(a) || std::holds_alternative<RealAlgebraic>(b)) {
     exact = in_finite_terms(logs, F, plain, a, b);
@@ -248,6 +252,18 @@ DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFuncti
   return {{[=](long bits) { return evaluator.branch_difference(a, b, bits); },
            {exact.has_value(), bits_of(a) + bits_of(b) + bits_of(f)}},  // not rational: see above
           exact};
+}
+
+}  // namespace
+
+DefiniteIntegral definite_integral(const Antiderivative& F, const RationalFunction& f,
+                                   const Endpoint& a, const Endpoint& b, AtPoles at_poles) {
+  return integral_between(F, f, {}, a, b, at_poles, false);
+}
+
+DefiniteIntegral definite_integral(const FactoredIntegral& of, const RationalFunction& f,
+                                   const Endpoint& a, const Endpoint& b, bool has_no_poles) {
+  return integral_between(of.F, f, of.parts, a, b, AtPoles::refuse, has_no_poles);
 }
 
 DefiniteIntegral definite_integral(const Antiderivative& F, const Endpoint& a, const Endpoint& b,

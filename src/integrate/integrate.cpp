@@ -15,16 +15,20 @@
 namespace phrame::inline v0 {
 namespace {
 
+std::vector<LogSum> full_partial_fractions(const std::vector<SimpleFraction>& parts) {
+  std::vector<LogSum> sums;
+  for (const SimpleFraction& part : parts) sums.push_back(full_partial_fraction(part));
+  return sums;
+}
+
 /// Full partial fractions have the smallest field extension exactly where a sum's residues are
 /// pairwise distinct; a fraction whose residues repeat, among themselves or those of another
 /// fraction, is written over its residues.
 std::vector<LogSum> smallest_extension(const RationalFunction& f,
                                        const std::vector<SimpleFraction>& parts) {
   std::vector<LogSum> over_poles;
-  if (residues_are_distinct_modulo_a_prime(f.numerator(), f.denominator())) {
-    for (const auto& part : parts) over_poles.push_back(full_partial_fraction(part));
-    return over_poles;
-  }
+  if (residues_are_distinct_modulo_a_prime(f.numerator(), f.denominator()))
+    return full_partial_fractions(parts);
   std::vector<LogSum> sums;
   for (const EqualResidues& group : by_residues(parts)) {
     if (group.is_one && is_squarefree(group.residues))
@@ -95,18 +99,31 @@ bool is_simple(const RationalFunction& f, const std::vector<NearPole>* poles) {
          has_irreducible_denominator(*poles, f.denominator());
 }
 
-std::vector<LogSum> logarithms(const RationalFunction& f, Form form,
-                               const std::vector<NearPole>* poles) {
+/// Is each sum over the poles of one of the fractions, in their order?
+bool are_over_poles(const std::vector<LogSum>& sums, const std::vector<SimpleFraction>& parts) {
+  return std::ranges::equal(sums, parts, [](const LogSum& sum, const SimpleFraction& part) {
+    return is_over_poles(sum) && sum.index == part.denominator;
+  });
+}
+
+/// Of the integral of f, which is what Hermite's reduction leaves beside that rational part. The
+/// fractions become `over`, where the logarithms are those over the poles of them.
+std::vector<LogSum> logarithms(const RationalFunction& f, const RationalFunction& rational,
+                               Form form, const std::vector<NearPole>* poles,
+                               std::vector<SimpleFraction>& over) {
   if (f.is_zero()) return {};
   if (form == Form::lazard_rioboo_trager) return lazard_rioboo_trager(f);
   if (form == Form::automatic && is_simple(f, poles))
     return {full_partial_fraction({f.numerator(), f.denominator()})};
-  const auto parts = simple_fractions(f);
-  if (form == Form::automatic) return smallest_extension(f, parts);
+  // The poles that were multiple ones, as of σ beside those of ρ, divide the denominator.
+  auto parts = simple_fractions(f, gcd(f.denominator(), rational.denominator()));
+  if (form == Form::automatic) {
+    std::vector<LogSum> sums = smallest_extension(f, parts);
+    if (are_over_poles(sums, parts)) over = std::move(parts);
+    return sums;
+  }
   if (form == Form::rothstein_trager) return rothstein_trager(parts);
-  std::vector<LogSum> sums;
-  for (const auto& part : parts) sums.push_back(full_partial_fraction(part));
-  return sums;
+  return full_partial_fractions(parts);
 }
 
 }  // namespace
@@ -121,13 +138,27 @@ Antiderivative integrate(const RationalFunction& f, Form form) {
   return integrate(f, algebraic_part(f), form, nullptr);
 }
 
-Antiderivative integrate(const RationalFunction& f, const AlgebraicPart& part, Form form,
-                         const std::vector<NearPole>* poles) {
-  Antiderivative F = part.F;
-  F.logs = logarithms(part.rest, form, poles);
+namespace {
+
+FactoredIntegral integral(const RationalFunction& f, const AlgebraicPart& part, Form form,
+                          const std::vector<NearPole>* poles) {
+  FactoredIntegral result{part.F, {}};
+  Antiderivative& F = result.F;
+  F.logs = logarithms(part.rest, F.rational, form, poles, result.parts);
   if (!(differentiate(F) == f))
     throw Error("integrate: the check failed, the derivative of the result is not the integrand");
-  return F;
+  return result;
+}
+
+}  // namespace
+
+Antiderivative integrate(const RationalFunction& f, const AlgebraicPart& part, Form form,
+                         const std::vector<NearPole>* poles) {
+  return integral(f, part, form, poles).F;
+}
+
+FactoredIntegral factored_integral(const RationalFunction& f) {
+  return integral(f, algebraic_part(f), Form::automatic, nullptr);
 }
 
 }  // namespace phrame

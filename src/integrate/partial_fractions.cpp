@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
-#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/known_factor.hpp"
 
 namespace phrame::inline v0 {
 
-std::vector<SimpleFraction> simple_fractions(const RationalFunction& f) {
+std::vector<SimpleFraction> simple_fractions(const RationalFunction& f, const Polynomial& divisor) {
   if (!f.is_proper()) throw DomainError("simple_fractions: the function has a polynomial part");
   if (f.is_zero()) return {};
-  const Factorization factors = factor(f.denominator());
+  const Factorization factors = factor(f.denominator(), divisor);
   if (factors.factors.size() == 1 && factors.factors.front().exponent == 1)
     return {{f.numerator(), f.denominator()}};
   // f = n/(base·rest) has the part (n·rest⁻¹ mod base)/base. The one of the highest degree would

@@ -11,8 +11,10 @@ struct SimpleFraction {
 };
 
 /// f = Σ of simple fractions, one for each irreducible factor of its denominator, in the order of
-/// factor(). Throws DomainError where f is not proper or has a multiple pole.
-std::vector<SimpleFraction> simple_fractions(const RationalFunction& f);
+/// factor(). A divisor of the denominator that is known saves time. Throws DomainError where f is
+/// not proper or has a multiple pole.
+std::vector<SimpleFraction> simple_fractions(const RationalFunction& f,
+                                             const Polynomial& divisor = {1});
 
 /// ∫ n/d = Σ c(z) log(t − z) over the roots z of d, c = n·(d′)⁻¹ mod d: full partial fractions
 /// [Bronstein, Salvy 1993]. One modular inverse, no resultant.

@@ -1,4 +1,4 @@
-#include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/known_factor.hpp"
 
 #include "phrame/algebra/error.hpp"
 #include "support/random.hpp"
@@ -34,6 +34,19 @@ TEST_CASE("factor: order and unit") {
   CHECK(factor({Rational(3, 7)}).unit == Rational(3, 7));
   CHECK_THROWS_AS(factor({}), DomainError);
   CHECK_THROWS_AS(squarefree_factorization({}), DomainError);
+}
+
+TEST_CASE("factor: a known coprime divisor changes nothing") {
+  for_samples(60, [](Random& random) {
+    const Polynomial a = random.repeated_polynomial(2);
+    const Polynomial b = random.repeated_polynomial(2);
+    if (!gcd(a, b).is_constant()) return;
+    for (const Polynomial& divisor : {a, b, Rational(-3, 2) * a, a * b, Polynomial{2}}) {
+      const Factorization known = factor(a * b, divisor);
+      CHECK(known.unit == factor(a * b).unit);
+      CHECK(known.factors == factor(a * b).factors);
+    }
+  });
 }
 
 TEST_CASE("factor: law: the factors multiply to p; squarefree bases, coprime, distinct exponents") {

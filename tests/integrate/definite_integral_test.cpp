@@ -6,6 +6,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/evaluator.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/known_integral.hpp"
 #include "phrame/integrate/quadrature.hpp"
 #include "support/random.hpp"
 
@@ -467,5 +468,24 @@ TEST_CASE("definite integral: law: t → 1/t and t → (at + b)/(ct + d) leave i
               .value.enclose(120)
               .overlaps(definite_integral(f, rational(1), Rational(top(u) / bottom(u)))
                             .value.enclose(120)));
+  });
+}
+
+TEST_CASE("definite integral: what integrate() has found of poles is no other value") {
+  for_samples(30, [](Random& random) {
+    const Polynomial p = random.polynomial(2);
+    const Polynomial q = random.polynomial(2);
+    // Positive; the factors of q² + 2 are those of multiple poles.
+    const Polynomial d = (p * p + Polynomial{1}) * pow(q * q + Polynomial{2}, 2);
+    const RationalFunction f(random.nonzero_polynomial(4), d);
+    const FactoredIntegral of = factored_integral(f);
+    CHECK(of.F == integrate(f));
+    if (!of.parts.empty()) CHECK(of.parts.size() == of.F.logs.size());
+    const DefiniteIntegral known = definite_integral(of, f, rational(0), rational(1), true);
+    CHECK(known.value.enclose(80).overlaps(quadrature(f, 0, 1, 80)));
+    const DefiniteIntegral found =
+        definite_integral(of.F, f, rational(0), rational(1), AtPoles::refuse);
+    CHECK(known.exact.has_value() == found.exact.has_value());
+    CHECK(round_to_decimal(known.value, 30).value == round_to_decimal(found.value, 30).value);
   });
 }

@@ -4,6 +4,7 @@
 #include "phrame/algebra/surd.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/integrate.hpp"
+#include "phrame/integrate/known_integral.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/along/total_rates.hpp"
@@ -28,9 +29,10 @@ bool is_odd_about_middle(const RationalFunction& rate, const Polynomial& orienta
 
 /// √radicand · ∫₀¹ ±rate dt for the rate F′, + at first, the sign changing where that of the
 /// orientation does.
-CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomial& orientation,
-                 const Rational& radicand = 1) {
-  CurveTotal result{radicand, rate, std::move(F), {}, Rational(0), ExactValue{}};
+CurveTotal total(const RationalFunction& rate, const FactoredIntegral& of,
+                 const Polynomial& orientation, const Rational& radicand = 1,
+                 bool has_no_poles = false) {
+  CurveTotal result{radicand, rate, of.F, {}, Rational(0), ExactValue{}};
   for (const RealRoot& root : odd(real_roots(orientation, open_interval(0, 1))))
     result.sign_changes.push_back(root.at);
 
@@ -41,8 +43,7 @@ CurveTotal total(const RationalFunction& rate, Antiderivative F, const Polynomia
   ends.emplace_back(Rational(1));
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const Rational sign = k % 2 == 0 ? 1 : -1;
-    const DefiniteIntegral part =
-        definite_integral(result.antiderivative, rate, ends[k], ends[k + 1], AtPoles::refuse);
+    const DefiniteIntegral part = definite_integral(of, rate, ends[k], ends[k + 1], has_no_poles);
     result.value = result.value + sign * part.value;
     if (result.exact && part.exact && !(result.exact->irrational_pi && part.exact->irrational_pi))
       result.exact = *result.exact + sign * *part.exact;
@@ -71,12 +72,27 @@ Antiderivative with_known(Antiderivative F, const TotalRate& of) {
   return F;
 }
 
-Antiderivative integrate(const TotalRate& of) {
-  return with_known(integrate(unknown_rate(of)), of);
+FactoredIntegral integrate(const TotalRate& of) {
+  FactoredIntegral result = factored_integral(unknown_rate(of));
+  result.F = with_known(std::move(result.F), of);
+  return result;
 }
 
 CurveTotal total(const TotalRate& of, const Rational& radicand = 1) {
   return total(of.rate, integrate(of), of.orientation, radicand);
+}
+
+/// Why a rate that is not negative has an infinite integral.
+std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
+  const auto poles = real_roots(rate.denominator(), closed_interval(0, 1));
+  if (poles.empty()) return std::nullopt;
+  return Infinite{poles.front().at};
+}
+
+/// Of a rate that is not negative, whose integral may be infinite.
+std::variant<CurveTotal, Infinite> energy(const TotalRate& of) {
+  if (const auto infinite = pole_on_path(of.rate)) return *infinite;
+  return total(of.rate, integrate(of), of.orientation, 1, true);
 }
 
 /// The torsion τ·ds/dt is that of the twist and (arg bend)′.
@@ -127,13 +143,6 @@ const Polynomial& turning(const Curve& curve, const TotalPoles& poles) {
   });
 }
 
-/// Why a rate that is not negative has an infinite integral.
-std::optional<Infinite> pole_on_path(const RationalFunction& rate) {
-  const auto poles = real_roots(rate.denominator(), closed_interval(0, 1));
-  if (poles.empty()) return std::nullopt;
-  return Infinite{poles.front().at};
-}
-
 }  // namespace
 
 CurveTotal total_length(const Curve& curve) {
@@ -154,9 +163,7 @@ TotalRate bending_energy_rate(const Curve& curve) {
 }
 
 std::variant<CurveTotal, Infinite> bending_energy(const Curve& curve) {
-  const TotalRate of = bending_energy_rate(curve);
-  if (const auto infinite = pole_on_path(of.rate)) return *infinite;
-  return total(of);
+  return energy(bending_energy_rate(curve));
 }
 
 // τ fσ is 2h/σ − b with b = Im(g′/g), N = |g|² and
@@ -173,9 +180,7 @@ TotalRate frenet_energy_rate(const Curve& curve) {
 }
 
 std::variant<CurveTotal, Infinite> frenet_energy(const Curve& curve) {
-  const TotalRate of = frenet_energy_rate(curve);
-  if (const auto infinite = pole_on_path(of.rate)) return *infinite;
-  return total(of);
+  return energy(frenet_energy_rate(curve));
 }
 
 TotalRate total_torsion_rate(const Curve& curve) {
@@ -185,7 +190,7 @@ TotalRate total_torsion_rate(const Curve& curve) {
 
 CurveTotal total_torsion(const Curve& curve) {
   const TotalRate of = total_torsion_rate(curve);
-  return total(of.rate, integrate_turning(torsion_parts(curve), of.rate), of.orientation);
+  return total(of.rate, {integrate_turning(torsion_parts(curve), of.rate), {}}, of.orientation);
 }
 
 TotalPoles total_poles(const Curve& curve) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "phrame/algebra/in_place.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/along/frame_angle.hpp"
 #include "phrame/ph/construct/quintic_family.hpp"
@@ -15,6 +16,14 @@ Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale) {
 
 RationalQuaternion exact(const IntegerQuaternion& a, const Rational& scale) {
   return each(a, [&](const Integer& x) { return x * scale; });
+}
+
+void include_denominators(Integer& d, const RationalQuaternion& a) {
+  for (const Rational* x : {&a.u, &a.v, &a.p, &a.q}) include_denominator(d, *x);
+}
+
+IntegerQuaternion whole_multiple(const RationalQuaternion& a, const Integer& d) {
+  return each(a, [&](const Rational& x) { return whole_multiple(x, d); });
 }
 
 Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits) {
@@ -39,9 +48,7 @@ Phase phase_of(const Angle& angle, long bits) {
   return {BigFloat(cos, bits), BigFloat(sin, bits)};
 }
 
-Rational rounded_to_places(const BigFloat& x, long k) {
-  return Rational(x.scaled(k)) * power_of_two(-k);
-}
+Rational rounded_to_places(const BigFloat& x, long k) { return over_power_of_two(x.scaled(k), k); }
 
 RationalQuaternion rounded_to_places(const FloatQuaternion& a, long k) {
   return each(a, [k](const BigFloat& x) { return rounded_to_places(x, k); });

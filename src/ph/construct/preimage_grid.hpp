@@ -19,6 +19,11 @@ Vector<Rational> exact(const Vector<Integer>& v, const Rational& scale);
 RationalQuaternion exact(const IntegerQuaternion& a, const Rational& scale);
 /// @}
 
+/// d becomes a multiple of the denominators of `a`, too, the least one.
+void include_denominators(Integer& d, const RationalQuaternion& a);
+/// d·a, for a multiple d of its denominators.
+IntegerQuaternion whole_multiple(const RationalQuaternion& a, const Integer& d);
+
 /// @{ With so many bits.
 Vector<BigFloat> big_floats(const Vector<Rational>& v, long bits);
 FloatQuaternion big_floats(const RationalQuaternion& a, long bits);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/in_place.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/preimage_grid.hpp"
 
@@ -20,104 +21,110 @@
 namespace phrame::inline v0 {
 namespace {
 
-using IntegerVector4 = std::array<Integer, 4>;
-
-/// An integer multiple of it.
-IntegerVector4 integer_multiple(const RationalQuaternion& a) {
-  Integer d = 1;
-  for (const Rational* x : {&a.u, &a.v, &a.p, &a.q}) d = lcm(d, denominator(*x));
-  return {numerator(a.u * d), numerator(a.v * d), numerator(a.p * d), numerator(a.q * d)};
-}
-
-Integer scalar_product(const IntegerVector4& a, const IntegerVector4& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+Integer scalar_product(const IntegerQuaternion& a, const IntegerQuaternion& b) {
+  Integer sum = a.u * b.u;
+  add_product(sum, a.v, b.v);
+  add_product(sum, a.p, b.p);
+  add_product(sum, a.q, b.q);
+  return sum;
 }
 
 /// a − c·b.
-void subtract(IntegerVector4& a, const Integer& c, const IntegerVector4& b) {
-  for (std::size_t k = 0; k < 4; ++k) a[k] -= c * b[k];
-}
-
-/// x/y to the nearest integer.
-Integer nearest_quotient(const Integer& x, const Integer& y) {
-  return floor_quotient(2 * x + y, 2 * y);
+void subtract_product(IntegerQuaternion& a, const Integer& c, const IntegerQuaternion& b) {
+  subtract_product(a.u, c, b.u);
+  subtract_product(a.v, c, b.v);
+  subtract_product(a.p, c, b.p);
+  subtract_product(a.q, c, b.q);
 }
 
 /// Of the lattice with this basis the sublattice of ω(A, X) = 0: by Euclid's algorithm.
-std::vector<IntegerVector4> sublattice(std::vector<IntegerVector4> basis, const IntegerVector4& a) {
-  const IntegerVector4 row{-a[1], a[0], a[3], -a[2]};
-  std::vector<std::pair<Integer, IntegerVector4>> list;
-  for (IntegerVector4& e : basis) list.emplace_back(scalar_product(row, e), std::move(e));
+std::vector<IntegerQuaternion> sublattice(std::vector<IntegerQuaternion> basis,
+                                          const IntegerQuaternion& a) {
+  const IntegerQuaternion row{-a.v, a.u, a.q, -a.p};
+  std::vector<std::pair<Integer, IntegerQuaternion>> list;
+  list.reserve(basis.size());
+  for (IntegerQuaternion& e : basis) list.emplace_back(scalar_product(row, e), std::move(e));
   for (;;) {
     // The least one that is not 0 to the end; the others become remainders by it.
-    std::ranges::sort(list, [](const auto& x, const auto& y) {
-      return x.first != 0 && (y.first == 0 || abs(x.first) > abs(y.first));
-    });
-    const auto zero = std::ranges::find_if(list, [](const auto& x) { return x.first == 0; });
+    std::ranges::sort(list,
+                      [](const auto& x, const auto& y) { return is_longer(x.first, y.first); });
+    const auto zero = std::ranges::find_if(list, [](const auto& x) { return x.first.sign() == 0; });
     const auto count = zero - list.begin();
     if (count <= 1) break;
     const auto& least = list[static_cast<std::size_t>(count - 1)];
     for (auto x = list.begin(); x != zero - 1; ++x) {
       const Integer q = nearest_quotient(x->first, least.first);
-      x->first -= q * least.first;
-      subtract(x->second, q, least.second);
+      subtract_product(x->first, q, least.first);
+      subtract_product(x->second, q, least.second);
     }
   }
-  std::vector<IntegerVector4> result;
+  std::vector<IntegerQuaternion> result;
   for (auto& [value, e] : list)
-    if (value == 0) result.push_back(std::move(e));
+    if (value.sign() == 0) result.push_back(std::move(e));
   return result;
 }
 
 /// A basis of two shortest vectors, by Lagrange's and Gauss's algorithm.
-void shorten(IntegerVector4& a, IntegerVector4& b) {
+void shorten(IntegerQuaternion& a, IntegerQuaternion& b) {
   Integer aa = scalar_product(a, a);
   Integer bb = scalar_product(b, b);
+  Integer ab = scalar_product(a, b);
   for (;;) {
     if (bb < aa) {
       std::swap(a, b);
       std::swap(aa, bb);
     }
-    const Integer q = nearest_quotient(scalar_product(a, b), aa);
-    if (q == 0) return;
-    subtract(b, q, a);
-    bb = scalar_product(b, b);
+    const Integer q = nearest_quotient(ab, aa);
+    if (q.sign() == 0) return;
+    subtract_product(b, q, a);
+    subtract_product(bb, q, ab);  // (b − qa)² = b² − q(ab) − q(ab − qa²)
+    subtract_product(ab, q, aa);
+    subtract_product(bb, q, ab);
   }
 }
 
 /// The vector ⟂ all b of a c, in the basis 1, j, k.
-Vector<Rational> normal_of(const RationalQuaternion& c) { return {c.v, -c.q, c.p}; }
+Vector<Integer> normal_of(const IntegerQuaternion& c) { return {c.v, -c.q, c.p}; }
 
 /// Of 1, j and k.
-Vector<Rational> without_i_part(const RationalQuaternion& b) { return {b.u, b.p, b.q}; }
+Vector<Integer> without_i_part(const IntegerQuaternion& b) { return {b.u, b.p, b.q}; }
 
 constexpr long guard_bits = 64;
 
-/// A power of 2 brings e to about the size of a.
-RationalQuaternion of_size(const IntegerVector4& e, const Rational& squared_size) {
-  const RationalQuaternion x{e[0], e[1], e[2], e[3]};
-  const long k = binary_exponent(squared_size) - binary_exponent(norm(x));
-  return power_of_two(k >> 1) * x;
+/// 2ᵏ that brings e to about this size.
+long exponent_to_size(const IntegerQuaternion& e, const Rational& squared_size) {
+  return (binary_exponent(squared_size) - bit_length(norm(e)) + 1) >> 1;
 }
 
 }  // namespace
 
-RmfFamily::RmfFamily(const RationalQuaternion& a0, const RationalQuaternion& a3)
-    : a0_(a0), a3_(a3) {
-  const RationalQuaternion from_a0 = conjugate(a0);  // times |A₀|²
-  const Vector<Rational> n = normal_of(from_a0 * a3);
+RmfStart::RmfStart(const RationalQuaternion& start) : a0(start) {
+  include_denominators(denominator, a0);
+  whole = whole_multiple(a0, denominator);
+  lattice = sublattice({{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, whole);
+}
+
+RmfFamily::RmfFamily(const RmfStart& start, const RationalQuaternion& a3) : a0_(start.a0), a3_(a3) {
+  Integer d = 1;
+  include_denominators(d, a3);
+  const IntegerQuaternion end = whole_multiple(a3, d);
+  const IntegerQuaternion from_start = conjugate(start.whole);
+  const Vector<Integer> n = normal_of(from_start * end);
   const auto p = static_cast<std::size_t>(
-      std::ranges::max_element(n, {}, [](const Rational& x) { return abs(x); }) - n.begin());
+      std::ranges::max_element(n, {}, [](const Integer& x) { return abs(x); }) - n.begin());
   if (n[p] == 0) throw DomainError("the tangents at the ends are the same");
-  std::vector<IntegerVector4> all{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-  std::vector<IntegerVector4> e =
-      sublattice(sublattice(std::move(all), integer_multiple(a0)), integer_multiple(a3));
+  std::vector<IntegerQuaternion> e = sublattice(start.lattice, end);
   shorten(e[0], e[1]);
-  const Rational size = std::max(norm(a0), norm(a3));
-  basis_ = {of_size(e[0], size), of_size(e[1], size)};
-  const Vector<Rational> area =
-      cross(without_i_part(from_a0 * basis_[0]), without_i_part(from_a0 * basis_[1]));
-  determinant_ = norm(a0) * n[p] / (3 * area[p]);
+  const Integer squared_start = norm(start.whole);
+  const Rational size = std::max(Rational(squared_start, start.denominator * start.denominator),
+                                 Rational(norm(end), d * d));
+  const std::array<long, 2> k{exponent_to_size(e[0], size), exponent_to_size(e[1], size)};
+  basis_ = {exact(e[0], power_of_two(k[0])), exact(e[1], power_of_two(k[1]))};
+  // Of n, |A₀|² and the area the factors are those of A₀ twice, of A₃, and of both E.
+  const Integer area =
+      cross(without_i_part(from_start * e[0]), without_i_part(from_start * e[1]))[p];
+  determinant_ =
+      Rational(squared_start * n[p], 3 * start.denominator * d * area) * power_of_two(-k[0] - k[1]);
 }
 
 // The nearest A₁, A₂ in V first, and one of them moved at right angles to the other such that the

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/in_place.hpp"
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/construct/exact_end.hpp"
@@ -35,18 +36,19 @@ long exponent_above_root(const Rational& x) { return (binary_exponent(x) >> 1) +
 
 /// ∫ A i A* of a cubic A. With the denominators apart: they are common ones.
 Vector<Rational> integral_of(const CubicPreimage<Rational>& a) {
-  constexpr std::array<std::array<long, 4>, 4> weights{
+  constexpr std::array<std::array<unsigned long, 4>, 4> weights{
       {{60, 30, 12, 3}, {30, 36, 27, 12}, {12, 27, 36, 30}, {3, 12, 30, 60}}};
   Integer d = 1;
-  for (const RationalQuaternion& x : a)
-    for (const Rational* part : {&x.u, &x.v, &x.p, &x.q}) d = lcm(d, denominator(*part));
-  const auto whole = [&](const Rational& x) { return numerator(x) * (d / denominator(x)); };
+  for (const RationalQuaternion& x : a) include_denominators(d, x);
   CubicPreimage<Integer> b;
-  for (std::size_t k = 0; k < 4; ++k) b[k] = each(a[k], whole);
+  for (std::size_t k = 0; k < 4; ++k) b[k] = whole_multiple(a[k], d);
   Vector<Integer> sum;
   for (std::size_t i = 0; i < 4; ++i) {
-    Quaternion<Integer> weighted{};
-    for (std::size_t j = 0; j < 4; ++j) weighted = weighted + Integer(weights[i][j]) * b[j];
+    IntegerQuaternion weighted{};
+    for (std::size_t j = 0; j < 4; ++j)
+      for (const auto part : {&IntegerQuaternion::u, &IntegerQuaternion::v, &IntegerQuaternion::p,
+                              &IntegerQuaternion::q})
+        add_product(weighted.*part, b[j].*part, weights[i][j]);
     sum = sum + symmetric_product(b[i], weighted);
   }
   return each(sum, [divisor = 420 * d * d](const Integer& x) { return Rational(x, divisor); });
@@ -206,6 +208,7 @@ class RmfChain::Septics {
   FloatQuaternion a3_;
   Phase turn_;      ///< A = a₀·turn at the start …
   Phase end_turn_;  ///< … and a₃·this at the end, for the minimal rotation
+  RmfStart start_;  ///< of q_
   std::optional<Rational> t_;
   std::optional<RmfFamily> family_;  ///< of the t above
   Joint end_;
@@ -218,7 +221,8 @@ RmfChain::Septics::Septics(const RmfChain& chain, std::size_t k, const Vector<Ra
       k_(k),
       target_(target),
       places_(chain.places_at(k + 1)),
-      q_(chain.joint_.size * chain.joint_.base) {
+      q_(chain.joint_.size * chain.joint_.base),
+      start_(q_) {
   const bool is_exact = chain.rule_ == PointRule::exact;
   const long places_of_end = places_;
   if (is_exact)
@@ -241,7 +245,7 @@ CubicPreimage<Rational> RmfChain::Septics::member(const std::vector<Rational>& x
     const Rational half_turns = exact_rational(plan_.unit) * x[0];
     end_ = chain_.end_of(turned(a3_, end_turn_ * phase_of(Angle(half_turns, 0), precision_)), k_,
                          places_);
-    family_.emplace(q_, end_.size * end_.base);
+    family_.emplace(start_, end_.size * end_.base);
   }
   const auto inner = [&](std::size_t at) {
     const FloatQuaternion b =

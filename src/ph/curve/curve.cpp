@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/in_place.hpp"
 #include "phrame/algebra/power_series.hpp"
 #include "phrame/ph/curve/hodograph_fraction.hpp"
 #include "phrame/ph/curve/vector.hpp"
@@ -124,19 +125,6 @@ Vector<Rational> evaluate(const Vector<Polynomial>& v, const Rational& t) {
 namespace {
 
 constexpr long most_differences = 5;
-
-/// Σ C(m, k)·Δᵏb₀·tᵏ, m ≥ 0: the shortest way for low degrees.
-Polynomial from_differences(std::vector<Rational> b) {
-  const std::size_t m = b.size() - 1;
-  for (std::size_t k = 1; k <= m; ++k)
-    for (std::size_t j = m; j >= k; --j) b[j] -= b[j - 1];
-  Rational binomial = 1;
-  for (std::size_t k = 1; k <= m; ++k) {
-    binomial = binomial * (m - k + 1) / k;
-    b[k] *= binomial;
-  }
-  return Polynomial(b);
-}
 
 }  // namespace
 
