@@ -98,9 +98,7 @@ class OffsetReport {
 
   void add_meetings(OffsetAnswer::Part& part) const {
     const long bits = 4 * digits_ + 64;
-    const OffsetBranches branches = branches_of(offset_);
-    const CurveSeries series = plane_series(branches.curves, branches.behind);
-    const SelfIntersections found = self_intersections(branches, series, {});
+    const SelfIntersections found = self_intersections(offset_, bits);
     const auto add_meeting = [&](std::size_t first, const RealBall& first_t, std::size_t second,
                                  const RealBall& second_t, bool touches) {
       const OffsetPiece& piece = offset_.pieces[first];
@@ -114,10 +112,8 @@ class OffsetReport {
                                {at(0), at(1)},
                                touches});
     };
-    for (const Crossing& x : found.found) {
-      const auto [first_t, second_t] = narrowed(series, x, bits);
-      add_meeting(x.first_segment, first_t, x.second_segment, second_t, false);
-    }
+    for (const Crossing& x : found.found)
+      add_meeting(x.first_segment, x.first_t, x.second_segment, x.second_t, false);
     for (const KnownMeeting& x : found.touching)
       add_meeting(x.first_segment, enclose(x.first_t, bits), x.second_segment,
                   enclose(x.second_t, bits), !x.crosses);

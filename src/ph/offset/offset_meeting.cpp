@@ -5,6 +5,7 @@
 #include "phrame/ph/offset/offset_meeting.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/offset/exact_meetings.hpp"
@@ -206,9 +207,12 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
   return result;
 }
 
-SelfIntersections self_intersections(const Offset& offset) {
+SelfIntersections self_intersections(const Offset& offset, long bits) {
   const OffsetBranches branches = branches_of(offset);
-  return self_intersections(branches, plane_series(branches.curves, branches.behind), {});
+  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  SelfIntersections result = self_intersections(branches, series, {});
+  for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
+  return result;
 }
 
 }  // namespace phrame

@@ -7,8 +7,9 @@ namespace phrame::inline v0 {
 
 /// Where the offset meets itself, with segments that are pieces of it. Where a piece ends on
 /// another one, both branches crossing there, that is one of the places; at a joint it is told of
-/// the piece that begins there.
-SelfIntersections self_intersections(const Offset& offset);
+/// the piece that begins there. The parameters of crossings are known to so many bits, if numbers
+/// allow it.
+SelfIntersections self_intersections(const Offset& offset, long bits = 64);
 
 /// The parameters of the part.
 Interval interval_of(const CurvePart& part);
