@@ -177,4 +177,5 @@ def main():
     print(f"  mpmath        {quadratures:8.3f}   ({len(few)} curves, {wrong} of them wrong within {DIGITS - 2} digits)")
 
 
-main()
+if __name__ == "__main__":
+    main()

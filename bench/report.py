@@ -1,8 +1,9 @@
 """Whole programs: what they take, beside what cannot be avoided or what does the same, and how it grows.
 
-`./dev bench --report` runs it with the program that it has built, in about three minutes, and prints two tables in Markdown, which are in
+`./dev bench --report` runs it with the program that it has built, in about four minutes, and prints three tables in Markdown, which are in
 docs/performance.md. CPU time, user and system, of whole processes, the least of several runs; both columns of a row are measured in turn.
-A neighbour that is not installed (NumPy, python-flint) has no figure. The exit status is 1 where something grows faster than it should.
+A neighbour that is not installed (NumPy, python-flint) has no figure. The last table has what was aimed at, by the same program, by
+Google Benchmark and by the Python package, where these are built. The exit status is 1 where something grows faster than it should.
 """
 import argparse
 import json
@@ -297,6 +298,99 @@ def growth(program):
     return marked
 
 
+def benchmarks(program, *names):
+    """CPU seconds of some benchmarks by name, for one item where they count items; none where they are not built."""
+    binary = pathlib.Path(program.path).parents[1] / "bench" / "phrame_bench"
+    if not binary.exists():
+        return {}
+    out = program.folder / "benchmarks.json"
+    subprocess.run([binary, f"--benchmark_filter=^({'|'.join(names)})$", f"--benchmark_out={out}", "--benchmark_out_format=json"],
+                   capture_output=True, check=True)
+    found = {}
+    for run in json.loads(out.read_text())["benchmarks"]:
+        if run.get("run_type") == "iteration":
+            unit = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[run["time_unit"]]
+            seconds = 1 / run["items_per_second"] if "items_per_second" in run else run["cpu_time"] * unit
+            found[run["run_name"]] = min(seconds, found.get(run["run_name"], math.inf))
+    return found
+
+
+def by_python():
+    """Seconds for the first frame of a quintic, the first 10 and the first 100; none without the package."""
+    try:
+        import python_speed
+    except ImportError:
+        return {}
+    return {n: python_speed.few_frames(n)[0] * 1e-6 for n in (1, 10, 100)}
+
+
+def in_units(seconds):
+    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
+        if seconds >= 0.995 * size or unit == "ns":
+            return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
+
+
+def aims(program):
+    """The third table: seconds now, seconds aimed at, and their ratio."""
+    def seconds(*arguments):
+        return program.seconds(*arguments)
+
+    def rate(arguments, count):
+        return (seconds(*arguments) - program.start) / count
+
+    quintics = [program.folder / name for name in ("batch.jsonl", "batch21.jsonl")]
+    thousand, ten_thousand = program.folder / "thousand.csv", program.folder / "spline.csv"
+    ph, quintic = program.folder / "ph.json", program.folder / "quintic.json"
+    coiled, m81 = program.folder / "coil.csv", program.folder / "m40.json"
+    rows = program.folder / "million.csv"
+    program.run("frames", quintic, "--samples", 1_000_001, "-o", rows)
+    rrmf = program.folder / "rrmf.json"
+    program.run("construct", coiled, "--kind", "rrmf", "-o", rrmf)
+    table = [
+        ("start", program.start, 0.002),
+        ("`--form rothstein-trager`, m = 20", seconds("angle", program.folder / "form20.json", "--form", "rothstein-trager"), 0.06),
+        ("m = 40", seconds("angle", program.folder / "form40.json", "--form", "rothstein-trager"), 0.5),
+        ("θ in closed form, m = 80, composed with a quadratic", seconds("angle", program.folder / "c80.json"), 0.5),
+        ("`frames` of the knot, 10⁵ rows, beside `compile`",
+         max(seconds("frames", KNOT, "--samples", 100_001) - seconds("compile", KNOT), 0), 0.3),
+        ("`compile` of the knot", seconds("compile", KNOT), 1),
+        ("`page` of the knot", seconds("page", KNOT), 1),
+        ("`sweep` of the knot", seconds("sweep", KNOT, "--profile", "circle:0.2", "-o", program.folder / "knot.glb"), 1),
+        ("`check` of 10⁶ rows", seconds("check", quintic, rows), 10),
+        ("`frames`, 10⁶ rows as CSV", seconds("frames", quintic, "--samples", 1_000_001), 0.8),
+        ("`batch --values-only`, a quintic", rate(("batch", "--values-only", quintics[0]), 3000), 1 / 35_000),
+        ("with its closed form", rate(("batch", quintics[0]), 3000), 1 / 15_000),
+        ("a curve of degree 21 with its closed form", rate(("batch", quintics[1]), 1000), 1 / 5000),
+        ("`angle` of a C² spline, 10³ points", seconds("angle", thousand, "--at", 1), 0.05),
+        ("10⁴ points", seconds("angle", ten_thousand, "--at", 1), 0.5),
+        ("`info` of 999 PH quintics", seconds("info", ph), 0.3),
+        ("`totals` of 999 PH quintics", seconds("totals", ph), 1),
+        ("`construct --kind rrmf`, 400 points", seconds("construct", coiled, "--kind", "rrmf"), 0.5),
+        ("`construct --kind rmf`, 1000 points", seconds("construct", thousand, "--kind", "rmf"), 0.3),
+        ("`frames`, 1001 rows along 399 RRMF segments", seconds("frames", rrmf, "--samples", 1001), 0.5),
+        ("10⁵ rows along 999 PH quintics", seconds("frames", ph, "--samples", 100_001), 1.5),
+        ("5000 digits of a quartic Bézier's angle", seconds("angle", program.folder / "quartic.json", "--at", 1, "--digits", 5000), 3),
+        ("`page` of degree 81", seconds("page", m81), 3),
+    ]
+    found = benchmarks(program, "frenet_energy/20", "erf_symbolic/[12]", "erf_flint/[12]", "compiled_(angle|frame)_array/m:2/ascending:0",
+                       "header_(angle|frame)_array/m:2/ascending:1")
+    if found:
+        table += [
+            ("`frenet_energy`, m = 20", found["frenet_energy/20"], 0.015),
+            ("symbolic stage, m = 1, beside 3 times FLINT's part", found["erf_symbolic/1"], 3 * found["erf_flint/1"]),
+            ("m = 2, beside 1.5 times", found["erf_symbolic/2"], 1.5 * found["erf_flint/2"]),
+            ("θ by `CompiledAngle`, an array", found["compiled_angle_array/m:2/ascending:0"], 6e-9),
+            ("frames by `CompiledFrames`, an array", found["compiled_frame_array/m:2/ascending:0"], 25e-9),
+            ("θ by a compiled header, an ascending array", found["header_angle_array/m:2/ascending:1"], 1.5e-9),
+            ("frames by a compiled header, an ascending array", found["header_frame_array/m:2/ascending:1"], 6e-9),
+        ]
+    table += [(f"first {n} frames in Python" if n > 1 else "first frame in Python", s, aim * 1e-6)
+              for (n, s), aim in zip(by_python().items(), (10, 20, 40))]
+    print("| | now | aim | ratio |\n|---|---|---|---|")
+    for what, now, aim in table:
+        print(f"| {what} | {in_units(now)} | {in_units(aim)} | {now / aim:.2g} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description="whole programs beside what cannot be avoided, and how they grow: tables in Markdown")
     parser.error = lambda message: parser.exit(2, f"{parser.prog}: {message}\n")
@@ -308,6 +402,8 @@ def main():
         beside(program)
         print()
         marked = growth(program)
+        print()
+        aims(program)
     if marked:
         sys.exit(f"report: {marked} steps grow faster than those before them")
 
