@@ -203,11 +203,11 @@ class PathRotation {
                                                double high, double joint) const {
     const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& sigma,
                             long length) {
-      constexpr long bits = frame_bits + 32;
       const Vector<BallPolynomial> rate{per_y(equation.a, piece, frame_bits),
                                         per_y(equation.b, piece, frame_bits),
                                         per_y(equation.c, piece, frame_bits)};
-      return rotation_series(at_center()(piece.center, bits), rate, sigma, length, bits);
+      return rotation_series(at_center()(piece.center, frame_bits), rate, sigma, length,
+                             frame_bits);
     };
     return rotation_piece(low, high, joint, equation, taylor, shape_);
   }

@@ -15,7 +15,7 @@ namespace {
 // = y/2, and what is bounded on |z| ≤ 4 has a Taylor series in y with coefficients like 8^(−k).
 constexpr long wide_bits = 1;     ///< y = 2^wide_bits·z
 constexpr long piece_terms = 40;  ///< what is left out is about 8^(−terms)
-constexpr long piece_bits = 256;  ///< of the series; the recurrence loses some at each step
+constexpr long piece_bits = 128;  ///< of the series, which Arb multiplies sooner than longer ones
 
 /// The curve around the middle of a piece, by z.
 std::optional<CurveJet> jet_of(const ExpressionCurve& curve, const PolynomialPiece& piece) {
