@@ -6,6 +6,7 @@
 #include "phrame/algebra/ball_series.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/piece_guess.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -30,13 +31,8 @@ struct InverseRoot {
   RealBall error;
 };
 
-/// No value where S is not kept from 0.
-std::optional<InverseRoot> inverse_root(const Polynomial& S, const PolynomialPiece& piece,
-                                        long length) {
-  if (S == Polynomial{1}) return InverseRoot{BallPolynomial({RealBall(1, angle_bits)}), {}};
-  const BallPolynomial s = on_piece(S, piece, angle_bits, true);
-  const RealBall least_s = least(s, angle_bits);
-  if (sign(least_s) <= 0) return std::nullopt;
+/// From S on the piece, and a lower bound of it, > 0.
+InverseRoot inverse_root(const BallPolynomial& s, const RealBall& least_s, long length) {
   const RealBall least_root = sqrt(least_s, angle_bits);
   const BallPolynomial w = inverse_sqrt_series(s, length, angle_bits);
   const RealBall one(1, angle_bits);
@@ -50,7 +46,7 @@ std::optional<InverseRoot> inverse_root(const Polynomial& S, const PolynomialPie
   const RealBall off =
       add(absolute(at_center), divide(integral_bound(rest, angle_bits), least_root, angle_bits),
           angle_bits);
-  return InverseRoot{w, divide(off, least_root, angle_bits)};
+  return {w, divide(off, least_root, angle_bits)};
 }
 
 }  // namespace
@@ -86,11 +82,15 @@ std::optional<PolynomialPiece> angle_piece(
   const BallPolynomial denominator = on_piece(rate.denominator, *piece, angle_bits, true);
   const RealBall least_denominator = least(denominator, angle_bits);
   if (sign(least_denominator) <= 0) return std::nullopt;
-  const auto root = inverse_root(rate.radicand, *piece, shape.degree + 4);
-  if (!root) return std::nullopt;
+  const BallPolynomial radicand = on_piece(rate.radicand, *piece, angle_bits, true);
+  const RealBall least_radicand = least(radicand, angle_bits);
+  if (sign(least_radicand) <= 0) return std::nullopt;
   const BallPolynomial over = per_y(rate.numerator, *piece, angle_bits);
-  const BallPolynomial numerator =
-      root->error.is_zero() ? over : multiply(over, root->w, angle_bits);
+  if (seems_too_long(over, denominator, radicand, shape)) return std::nullopt;
+  const InverseRoot root = rate.radicand == Polynomial{1}
+                               ? InverseRoot{radicand, {}}
+                               : inverse_root(radicand, least_radicand, shape.degree + 4);
+  const BallPolynomial numerator = root.error.is_zero() ? over : multiply(over, root.w, angle_bits);
 
   const BallPolynomial rate_series =
       divide_series(numerator, denominator, shape.degree, angle_bits);
@@ -103,7 +103,7 @@ std::optional<PolynomialPiece> angle_piece(
     const RealBall most_over =
         add(absolute(over.coefficient(0)), variation(over, angle_bits), angle_bits);
     const RealBall rest =
-        add_product(integral_bound(residual, angle_bits), most_over, root->error, angle_bits);
+        add_product(integral_bound(residual, angle_bits), most_over, root.error, angle_bits);
     return divide(rest, least_denominator, angle_bits);
   };
   return rounded_angle_piece(*piece, from_center, remainder_of, theta, shape);

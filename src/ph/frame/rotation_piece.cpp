@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/frame/piece_guess.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -15,13 +16,10 @@ BallPolynomial products(const BallPolynomial& f, const BallPolynomial& x, const 
   return add(sum, multiply(h, z, frame_bits), frame_bits);
 }
 
-/// ∫₀^y |σX′ − M·X| ≤ |y|·that.
-RealBall residual_bound(const RotationEquation& equation, const PolynomialPiece& piece,
-                        const BallPolynomial& sigma, const QuaternionSeries& x) {
-  const BallPolynomial a = per_y(equation.a, piece, frame_bits);
-  const BallPolynomial b = per_y(equation.b, piece, frame_bits);
-  const BallPolynomial c = per_y(equation.c, piece, frame_bits);
-  const BallPolynomial d = per_y(equation.d, piece, frame_bits);
+/// ∫₀^y |σX′ − M·X| ≤ |y|·that, with a, b, c, d of M.
+RealBall residual_bound(const BallPolynomial& sigma, const std::array<BallPolynomial, 4>& M,
+                        const QuaternionSeries& x) {
+  const auto& [a, b, c, d] = M;
   const BallPolynomial minus_b = -b;
   const BallPolynomial minus_c = -c;
   const auto& [u, v, p, q] = x;
@@ -73,8 +71,12 @@ std::optional<PolynomialPiece> rotation_piece(double low, double high, double or
   const BallPolynomial sigma = on_piece(equation.sigma, *piece, frame_bits, true);
   const RealBall least_sigma = least(sigma, frame_bits);
   if (sign(least_sigma) <= 0) return std::nullopt;
+  const std::array<BallPolynomial, 4> M{
+      per_y(equation.a, *piece, frame_bits), per_y(equation.b, *piece, frame_bits),
+      per_y(equation.c, *piece, frame_bits), per_y(equation.d, *piece, frame_bits)};
+  if (seems_too_long(sigma, M, shape)) return std::nullopt;
   const auto remainder_of = [&](const QuaternionSeries& exact) {
-    return divide(residual_bound(equation, *piece, sigma, exact), least_sigma, frame_bits);
+    return divide(residual_bound(sigma, M, exact), least_sigma, frame_bits);
   };
   return rounded_rotation_piece(*piece, taylor(*piece, sigma, shape.degree + 1), remainder_of,
                                 shape);
