@@ -667,7 +667,8 @@ def convolved(P, Q):
     def packed(A):
         data = b"".join([(x + half).to_bytes(width, "little") for x in A])
         return int.from_bytes(data, "little") - int.from_bytes(halves[:len(data)], "little")
-    data = (packed(P) * packed(Q) + int.from_bytes(halves, "little")).to_bytes(n * width, "little")
+    p = packed(P)
+    data = (p * (p if Q is P else packed(Q)) + int.from_bytes(halves, "little")).to_bytes(n * width, "little")
     return [int.from_bytes(data[k:k + width], "little") - half for k in range(0, n * width, width)]
 
 
@@ -1354,32 +1355,40 @@ def work_of_integral(P):
     return total
 
 
+SERIES = {"/": (1, 1), "exp": (1, 1), "sqrt": (2, 1), "log": (2, 1), "sin": (2, 2), "cos": (2, 2), "atan": (4, 2)}
+
+
 def work_of_steps(f):
-    """How many functions and quotients, and how many products there are; sine and cosine of one angle are one."""
-    functions, products, angles = 0, 0, set()
+    """How many series and how many products of jets there are; sine and cosine of one angle are one function."""
+    series, products, angles = 0, 0, set()
     for (name, left, right), number in zip(f.steps, f.numbers):
         if number is not None or name in ("pi", "s", "+"):
             continue
         if name == "*":
             products += f.numbers[left] is None and f.numbers[right] is None
         elif name == "power":
-            functions += 2 * (right.denominator > 1) + (right < 0)
-            products += 2 * right.numerator.bit_length()
+            fraction, below = right.denominator > 1, right < 0
+            series += 3 * fraction + below
+            products += 2 * fraction + below + 2 * right.numerator.bit_length()
         elif name not in ("sin", "cos") or left not in angles:
-            functions += 2 if name == "atan" else 1
+            series += SERIES[name][0]
+            products += SERIES[name][1]
             angles |= {left} if name in ("sin", "cos") else set()
-    return functions, products
+    return series, products
 
 
 def work_of_models(C, frame, is_joined):
     """The same of a curve by formulas. At the joints the models are constants."""
     (a, b), (c, d) = work_of_steps(C.f), work_of_steps(C.ends)
-    J, steps, total = JETS[frame], len(C.f.steps) + len(C.ends.steps), 0
-    weight = 6 * J * (a + c) + J * (b + d) + 20
+    J, steps = JETS[frame], len(C.f.steps) + len(C.ends.steps)
+    series, products = a + c + 3, (J + 1) * (J + 2) // 2 * (b + d) + 20
+    total = sum(6 * bits ** 2 for bits in {piece.bits for piece in C.pieces})
     parts = [(piece.order, piece.bits + bits_of(piece.to)) for piece in C.pieces]
     parts += [(1, max([piece.bits for piece in C.pieces], default=0))] * 2 * is_joined
     for n, b in parts:
-        total += weight * (n * n * b * (2000 + b) // 8000 + 1500 * n) + 20 * b * b + steps * J * (200 * n + 10000)
+        product = 2000 + 1000 * n + n * b * isqrt(n * b) // 18
+        one = product + n * n * (300000 + b * b) // 7800 + 700 * n + 2000 + b * b // 10
+        total += series * one + products * product + steps * J * (200 * n + 10000)
     return total
 
 

@@ -401,6 +401,27 @@ def statements(text):
             for line in text.splitlines() if line.startswith(("proved", "not proved"))]
 
 
+def check_discs(certificate, folder):
+    """The least radii of discs that the one checker takes are those of the other. The residues are a little off."""
+    path, number = Path(folder) / "disc.cert", 0
+    for k, log in enumerate(certificate["antiderivative"]["logs"]):
+        for disc in log["roots"]:
+            disc["residue"][0] = str(int(disc["residue"][0]) + 12345)
+            for key, what in (("radius", "roots of log %d" % k), ("residue_radius", "residues of log %d" % k)):
+                def is_proved(radius, by):
+                    disc[key] = str(radius)
+                    path.write_text(json.dumps({**certificate, "claims": []}))
+                    return "proved      " + what in by(path)[1].splitlines()
+                low, high = -1, 4 * int(disc[key]) + 10 ** 6
+                while high - low > 1:
+                    middle = (low + high) // 2
+                    low, high = (low, middle) if is_proved(middle, by_script) else (middle, high)
+                if not is_proved(high, by_program) or high and is_proved(high - 1, by_program):
+                    sys.exit("%s: the least %s of the script is %d, not that of verify" % (what, key, high))
+                disc[key], number = str(high), number + 1
+    return number
+
+
 def check_in_process(options):
     """Returns the number of differences, and of certificates that take too long."""
     sys.path.insert(0, options.module)
@@ -474,6 +495,7 @@ def main():
             print("%d: the script %s, verify %s\n%s\n%s" % (number, mine, other,
                   [line for line in told.splitlines() if not line.startswith("proved")],
                   [line for line in said.splitlines() if not line.startswith("proved")]))
+        print("%d radii of discs" % sum(check_discs(copy.deepcopy(originals[k]), folder) for k in (0, 2 * len(CURVES) + 6)))
         differ += check_beside(options.beside, options.seed, folder, options.keep)
     print("%d certificates, by the script %d proved, %d not proved, %d refused; %d differ"
           % (sum(seen.values()), seen[0], seen[1], seen[2], differ))

@@ -258,6 +258,19 @@ def formulas():
         yield "formulas: " + name, of_formula(300, z=text)
 
 
+    def of_segments(n, *parts):
+        """With so many segments, these in turn."""
+        def change(c):
+            c.update(segments=[parts[k % len(parts)] for k in range(n)], claims=[{"t": str(n), "theta": "1", "radius": "1e-5"}])
+        return changed(change, base)
+    line = {"x": ["0", "1"], "y": ["0", "1"], "z": ["3"], "w": ["1"], "square": ["1"], "pieces": []}
+    for bits in (64, 1000, 20000):
+        part = {"expressions": {"x": "cos(s)", "y": "sin(atan(s))", "z": "3", "from": "0", "to": "pi"}, "pieces": [{"to": "1", "order": 2, "bits": bits}]}
+        yield "formulas: many segments, %d bits" % bits, of_segments(500, part)
+        yield "formulas: segments of two kinds, %d bits" % bits, of_segments(500, line, part)
+        yield "formulas: long numbers at joints, %d bits" % bits, of_segments(20, {**line, "x": ["0", "1" + "0" * 4000]}, part)
+
+
 def closed():
     """Of closed paths: a circle that is gone round twice, so that all crossings are lost, and long numbers."""
     sides = [([1, 0, -1], [0, 2]), ([0, -2], [1, 0, -1]), ([-1, 0, 1], [0, -2]), ([0, 2], [-1, 0, 1])]
@@ -273,6 +286,8 @@ def closed():
     yield "closed: long box", of_writhe(crossings=[{**first, "first": {**first["first"], "interval": ["1/" + "7" * 4000, "85/128"]}}])
     yield "closed: many boxes", of_writhe(crossings=[first] * 130)
     yield "closed: radius 1e-1100", of_writhe(radius="1e-1100")
+    yield "closed: value 3e10000", of_writhe(value="3e10000")
+    yield "closed: radius 3e10000", of_writhe(radius="3e10000")
     yield "closed: value of 20000 digits", of_writhe(value="0." + "3" * 20000)
 
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
@@ -137,14 +138,17 @@ class IntegralReader {
     of_ends.insert(s.from);
     of_ends.insert(s.to);
     const FormulaWork ends = work_of(of_ends);
-    const Integer weight = 6 * derivatives * (coordinates.functions + ends.functions) +
-                           derivatives * (coordinates.products + ends.products) + 20;
+    const Integer series = coordinates.series + ends.series + 3;
+    const Integer products =
+        (derivatives + 1) * (derivatives + 2) / 2 * (coordinates.products + ends.products) + 20;
     const Integer steps_of_all(steps.steps().size() + of_ends.steps().size());
     const auto models = [&](const Integer& n, const Integer& b) {
-      work_ += weight * (n * n * b * (2000 + b) / 8000 + 1500 * n) + 20 * b * b +
-               steps_of_all * derivatives * (200 * n + 10000);
+      const Integer x = n * b;
+      const Integer product = 2000 + 1000 * n + x * sqrt(x) / 18;
+      const Integer one = product + n * n * (300000 + b * b) / 7800 + 700 * n + 2000 + b * b / 10;
+      work_ += series * one + products * product + steps_of_all * derivatives * (200 * n + 10000);
     };
-    long most_bits = 0;
+    std::set<long> bits{0};  // of all pieces
     s.pieces = read_list(node.at("pieces"), [&](const JsonNode& item) {
       item.require(JsonNode::Kind::object, "an object");
       item.require_known_keys({"to", "order", "bits"});
@@ -152,11 +156,12 @@ class IntegralReader {
                        read_count(item.at("order"), 2, most_certificate_count),
                        read_count(item.at("bits"), 0, most_certificate_count)};
       models(piece.order, piece.bits + bits_of(piece.to));
-      most_bits = std::max(most_bits, piece.bits);
+      bits.insert(piece.bits);
       longest_ = std::max(longest_, piece.order);
       return piece;
     });
-    for (int side = 0; is_joined && side < 2; ++side) models(1, most_bits);
+    for (int side = 0; is_joined && side < 2; ++side) models(1, *bits.rbegin());
+    for (const long b : bits) work_ += 6 * Integer(b) * Integer(b);
     return s;
   }
 
