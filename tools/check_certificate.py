@@ -447,7 +447,11 @@ def require_double(entry, low, high, what):
 # Formulas: steps (operation, left, right), each the number of an earlier step, a number where that is one, or an exponent.
 
 FUNCTIONS = ("sin", "cos", "exp", "log", "sqrt", "atan")
-TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|\.[0-9]+(?:[eE][-+]?[0-9]+)?)|([A-Za-z_][A-Za-z_0-9]*)|(\*\*|[-+*/^()]))")
+LETTER = "A-Za-z_\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u024f\u0370-\u03ff"  # Latin and Greek ones
+TOKEN = re.compile(r"[ \t\r\n]*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|\.[0-9]+(?:[eE][-+]?[0-9]+)?)|([%s][%s0-9]*)|(\*\*|[-+*/^()\u2212\u00b7\u22c5\u00d7\u00f7])"
+                   r"|([\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))" % (LETTER, LETTER))
+PLAIN = str.maketrans("\u2212\u00b7\u22c5\u00d7\u00f7", "-***/")
+RAISED = str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")
 
 
 class Formula:
@@ -516,9 +520,10 @@ class FormulaReader:
     def __init__(self, text, f, place, variable=None):
         self.f, self.place, self.text, self.variable = f, place, text, variable
         self.tokens, at, self.depth = [], 0, 0
-        while text[at:].strip():
+        while text[at:].strip(" \t\r\n"):
             match = TOKEN.match(text, at) or fail(place, "this is not understood", text[at:])
-            self.tokens.append(match.groups())
+            number, name, sign, raised = match.groups()
+            self.tokens.append((number, name, sign and sign.translate(PLAIN), raised))
             at = match.end()
         self.tokens.reverse()
 
@@ -545,23 +550,30 @@ class FormulaReader:
             a = self.f.step(sign, a, b)
         return a
 
-    def signed(self):
+    def signed(self, is_exponent=False):
         signs = ""
         while sign := self.take("+", "-"):
             signs += sign.replace("+", "")
-        a = self.power()
+        a = self.power(is_exponent and not signs)
         for _ in signs:
             a = self.f.negative(a)
         return a
 
-    def power(self):
+    def power(self, is_exponent=False):
+        """An exponent may be raised digits; of two, one after the other, it is not clear what they mean."""
         (a, is_e), f = self.whole(), self.f
-        if not self.take("^", "**"):
+        if self.tokens and self.tokens[-1][3]:
+            digits = self.tokens.pop()[3].translate(RAISED)
+            if is_exponent or self.take("^", "**") or self.tokens and self.tokens[-1][3] or not re.fullmatch("-?[0-9]+", digits):
+                fail(self.place, "this exponent is not understood", self.text)
+            b, k = None, Fraction(digits)
+        elif self.take("^", "**"):
+            self.enter()
+            b = self.signed(True)
+            self.depth -= 1
+            k = f.numbers[b]
+        else:
             return a
-        self.enter()
-        b = self.signed()
-        self.depth -= 1
-        k = f.numbers[b]
         if k is None:
             return f.step("exp", f.step("*", b, f.step("number", Fraction(1)) if is_e else f.step("log", a)))
         if max(abs(k.numerator), k.denominator) > MAX_COUNT:
@@ -575,14 +587,14 @@ class FormulaReader:
 
     def whole(self):
         """A number, a name, or what is in parentheses; and whether it is e."""
-        number, name, sign = self.tokens.pop() if self.tokens else (None,) * 3
+        number, name, sign, _ = self.tokens.pop() if self.tokens else (None,) * 4
         f = self.f
         if number:
             exponent = re.split("[eE]", number + "e0")[1]
             if len(exponent) > 5 or abs(int(exponent)) > MAX_DIGITS:
                 fail(self.place, "exponents of numbers are limited to %d" % MAX_DIGITS, number)
             return f.step("number", Fraction(number)), False
-        if name == "pi":
+        if name in ("pi", "\u03c0"):
             return f.step("pi"), False
         if name == "e" and self.variable != "e":
             return f.step("exp", f.step("number", Fraction(1))), True

@@ -154,7 +154,7 @@ def changed_text(text, chance):
     return text[:k] + text[k + 1:]
 
 
-TOKENS = ["s", "1", "2", "3", "7", "10", "1000", "0", "pi", "(", ")", "+", "-", "*", "/", "^", "sin(", "cos(", "exp(", "log(", "sqrt(", "atan(", "tan(", "e", "t", " ", ""]
+TOKENS = ["s", "1", "2", "3", "7", "10", "1000", "0", "pi", "(", ")", "+", "-", "*", "/", "^", "sin(", "cos(", "exp(", "log(", "sqrt(", "atan(", "tan(", "e", "t", " ", "", "π", "²", "⁻¹", "−", "·", "φ"]
 
 
 def changed_formula(text, chance):

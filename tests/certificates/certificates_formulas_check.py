@@ -58,6 +58,7 @@ SUBJECTS = [  # name, curve, arguments
     ("exp", curve("exp(-u)*cos(2*u)", "exp(-u)*sin(2*u)", "exp(u/3)", "0", "1", variable="u"), ["--digits", "12", "--frame", "up", "--up", "1,-2,3"]),
     ("length of exp", curve("exp(-s)*cos(2*s)", "exp(-s)*sin(2*s)", "exp(s/3)"), ["--length", "--digits", "12", "--at", "2/7,1"]),
     ("log, sqrt and atan", LOG, ["--digits", "10", "--frame", "frenet"]),
+    ("raised digits", curve("x² − 2·x⁻³", "exp(−x²)", "sin(x)²·x", 1, "3⁻¹·π"), ["--digits", "8"]),
     ("others", curve("tan(t)/2", "asin(t/2) + cosh(t)", "t**(2/3) - e^t/t**3", "pi/8", 1), ["--digits", "8", "--up", "0,1,1/3"]),
     ("plane", curve("s", "sin(s)", 0, 1, 2), ["--digits", "10", "--frame", "frenet"])]
 
@@ -306,6 +307,10 @@ def check_forged(here):
     other.write_text(json.dumps({**PART, "variable": "phi", "expressions": {
         key: text.replace("s)", "phi)").replace(" ", "") for key, text in PART["expressions"].items()}, "to": " pi /3"}))
     expect(0, "the same curve in other letters", path, curve=other)
+    other.write_text(json.dumps(curve("(−cos(3·φ) − 2)·cos(2×φ)·(−1)", "(2 + cos(3·φ))·sin(2·φ)", "sin(3·φ)", 0, "π÷3", variable="φ")))
+    expect(1, "in Greek letters, but multiplied in another way", path, curve=other, line="not proved  curve of")
+    other.write_text(json.dumps(curve("(2 + cos(3·φ))·cos(2×φ)", "(2 + cos(3·φ))⋅sin(2·φ)", "sin(3·φ)", 0, "π÷3", variable="φ")))
+    expect(0, "the same curve in Greek letters", path, curve=other)
     for what, status, line, lie in forgeries(honest):
         path.write_text(json.dumps(lie))
         expect(status, what, path, line=line)
