@@ -290,6 +290,9 @@ TEST_CASE("check: the order of a method is found from its tables at several step
   CHECK(json["steps"][2]["rate"]["value"].get<std::string>().starts_with("2.00000"));
   CHECK(here.run("check line.json mine --order --print latex")
             .out.starts_with("\\begin{tabular}{lrrr}\n"));
+  CHECK(here.run("check line.json mine --order -o order.html").status == 0);
+  CHECK(std::filesystem::file_size(here.file("order.html")) ==
+        here.run("check line.json mine --order --print html").out.size());
   CHECK(contains(here.run("check line.json mine --order --print html").out,
                  "<table>\n<tr><th>frames</th><th style=\"text-align:right\">step</th>"));
   check_failure(here.run("check line.json --order"), 2, "FRAMES: is required");
