@@ -70,6 +70,14 @@ def at_point(t):
     return lambda c: c["decisions"]["regular"].update(answer=False, cusps=[{"t": t, "order": 1}])
 
 
+def at_cusp(t):
+    """Of a curve with one."""
+    def change(c):
+        c["curve"]["multiplier"] = ["-1", "2"]
+        at_point(t)(c)
+    return change
+
+
 def all_claims(**values):
     return lambda c: [claim.update(values) for claim in c["claims"]]
 
@@ -118,6 +126,9 @@ def bad():
         "close zeros": at_point({"polynomial": ["9" * 30000, "-2" + "0" * 30000, "1" + "0" * 30000], "interval": ["0", "2"]}),
         "close zeros of degree 8": at_point({"polynomial": texts(mignotte(8, 10 ** 3000)), "interval": ["0", "1"]}),
         "long interval": at_point({"polynomial": ["-1", "0", "0", "0", "0", "0", "7"], "interval": ["1/" + "7" * 15000, "2"]}),
+        "interval to 1e3000": at_cusp({"polynomial": ["1", "-136", "-228", "-392", "-539", "11480"], "interval": ["0", "9" * 3000]}),
+        "three zeros, one far away": at_cusp({"polynomial": texts(product(product([-1, 3], [-1, 2]), [-10 ** 3000, 1])), "interval": ["0", "9" * 3001]}),
+        "close zeros in a long interval": at_cusp({"polynomial": texts(mignotte(8, 10 ** 300)), "interval": ["-1" + "0" * 1000, "9" * 1001]}),
         "modulus": set_at(["rate", "coprime_modulo"], "1" + "0" * 60000 + "1"),
         "bits": set_at(["bits"], 1000000),
         "direction": set_at(["decisions", "line"], {"answer": True, "direction": ["1/" + "7" * 30000, "2", "3"]}),
