@@ -447,7 +447,11 @@ def require_double(entry, low, high, what):
 # Formulas: steps (operation, left, right), each the number of an earlier step, a number where that is one, or an exponent.
 
 FUNCTIONS = ("sin", "cos", "exp", "log", "sqrt", "atan")
-TOKEN = re.compile(r"\s*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|\.[0-9]+(?:[eE][-+]?[0-9]+)?)|([A-Za-z_][A-Za-z_0-9]*)|(\*\*|[-+*/^()]))")
+LETTER = "A-Za-z_\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u024f\u0370-\u03ff"  # Latin and Greek ones
+TOKEN = re.compile(r"[ \t\r\n]*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][-+]?[0-9]+)?|\.[0-9]+(?:[eE][-+]?[0-9]+)?)|([%s][%s0-9]*)|(\*\*|[-+*/^()\u2212\u00b7\u22c5\u00d7\u00f7])"
+                   r"|([\u207b\u2070\u00b9\u00b2\u00b3\u2074-\u2079]+))" % (LETTER, LETTER))
+PLAIN = str.maketrans("\u2212\u00b7\u22c5\u00d7\u00f7", "-***/")
+RAISED = str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")
 
 
 class Formula:
@@ -516,9 +520,10 @@ class FormulaReader:
     def __init__(self, text, f, place, variable=None):
         self.f, self.place, self.text, self.variable = f, place, text, variable
         self.tokens, at, self.depth = [], 0, 0
-        while text[at:].strip():
+        while text[at:].strip(" \t\r\n"):
             match = TOKEN.match(text, at) or fail(place, "this is not understood", text[at:])
-            self.tokens.append(match.groups())
+            number, name, sign, raised = match.groups()
+            self.tokens.append((number, name, sign and sign.translate(PLAIN), raised))
             at = match.end()
         self.tokens.reverse()
 
@@ -545,23 +550,30 @@ class FormulaReader:
             a = self.f.step(sign, a, b)
         return a
 
-    def signed(self):
+    def signed(self, is_exponent=False):
         signs = ""
         while sign := self.take("+", "-"):
             signs += sign.replace("+", "")
-        a = self.power()
+        a = self.power(is_exponent and not signs)
         for _ in signs:
             a = self.f.negative(a)
         return a
 
-    def power(self):
+    def power(self, is_exponent=False):
+        """An exponent may be raised digits; of two, one after the other, it is not clear what they mean."""
         (a, is_e), f = self.whole(), self.f
-        if not self.take("^", "**"):
+        if self.tokens and self.tokens[-1][3]:
+            digits = self.tokens.pop()[3].translate(RAISED)
+            if is_exponent or self.take("^", "**") or self.tokens and self.tokens[-1][3] or not re.fullmatch("-?[0-9]+", digits):
+                fail(self.place, "this exponent is not understood", self.text)
+            b, k = None, Fraction(digits)
+        elif self.take("^", "**"):
+            self.enter()
+            b = self.signed(True)
+            self.depth -= 1
+            k = f.numbers[b]
+        else:
             return a
-        self.enter()
-        b = self.signed()
-        self.depth -= 1
-        k = f.numbers[b]
         if k is None:
             return f.step("exp", f.step("*", b, f.step("number", Fraction(1)) if is_e else f.step("log", a)))
         if max(abs(k.numerator), k.denominator) > MAX_COUNT:
@@ -575,14 +587,14 @@ class FormulaReader:
 
     def whole(self):
         """A number, a name, or what is in parentheses; and whether it is e."""
-        number, name, sign = self.tokens.pop() if self.tokens else (None,) * 3
+        number, name, sign, _ = self.tokens.pop() if self.tokens else (None,) * 4
         f = self.f
         if number:
             exponent = re.split("[eE]", number + "e0")[1]
             if len(exponent) > 5 or abs(int(exponent)) > MAX_DIGITS:
                 fail(self.place, "exponents of numbers are limited to %d" % MAX_DIGITS, number)
             return f.step("number", Fraction(number)), False
-        if name == "pi":
+        if name in ("pi", "\u03c0"):
             return f.step("pi"), False
         if name == "e" and self.variable != "e":
             return f.step("exp", f.step("number", Fraction(1))), True
@@ -667,7 +679,8 @@ def convolved(P, Q):
     def packed(A):
         data = b"".join([(x + half).to_bytes(width, "little") for x in A])
         return int.from_bytes(data, "little") - int.from_bytes(halves[:len(data)], "little")
-    data = (packed(P) * packed(Q) + int.from_bytes(halves, "little")).to_bytes(n * width, "little")
+    p = packed(P)
+    data = (p * (p if Q is P else packed(Q)) + int.from_bytes(halves, "little")).to_bytes(n * width, "little")
     return [int.from_bytes(data[k:k + width], "little") - half for k in range(0, n * width, width)]
 
 
@@ -1314,10 +1327,11 @@ def read_of_integral(value, limits):
     some, name = poly(most), "length" if frame == "none" else "theta"
     piece = {"to": rational, "root": [integer], "rate": [integer], "root_bits": at_least(0, count), "rate_bits": at_least(0, count)}
     weight = expect(lambda w: w.c and w.c[0], "it is 0 at t = 0", some)
-    segment = {"x": some, "y": some, "z": some, "w": weight, "square": nonzero(some), "pieces": [piece]}
-    parts = value.get("segments")
-    if isinstance(parts, list) and len(parts) == 1 and isinstance(parts[0], dict) and "expressions" in parts[0]:
-        segment = {"expressions": EXPRESSIONS, "pieces": [{"to": rational, "order": at_least(2, count), "bits": at_least(0, count)}]}
+    quotient = {"x": some, "y": some, "z": some, "w": weight, "square": nonzero(some), "pieces": [piece]}
+    formulas = {"expressions": EXPRESSIONS, "pieces": [{"to": rational, "order": at_least(2, count), "bits": at_least(0, count)}]}
+
+    def segment(value, place):
+        return read(formulas if isinstance(value, dict) and "expressions" in value else quotient, value, place)
     form = {"phrame": one_of("integral-certificate/1"), "name": string, "frame": one_of("up", "frenet", "none"),
             "segments": expect(bool, "a segment is wanted", [segment]),
             "claims": [{"t": rational, name: decimal, "radius": bound}]}
@@ -1334,8 +1348,8 @@ def work_of_integral(P):
     for C in P.segments:
         if hasattr(C, "expressions"):
             complete_formulas(C)
-            total += work_of_models(C, P.frame)
-            longest = max([piece.order for piece in C.pieces], default=0)
+            total += work_of_models(C, P.frame, len(P.segments) > 1)
+            longest = max([longest] + [piece.order for piece in C.pieces])
             continue
         lists = [C.x, C.y, C.z, C.w, C.square]
         d, a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
@@ -1353,31 +1367,40 @@ def work_of_integral(P):
     return total
 
 
+SERIES = {"/": (1, 1), "exp": (1, 1), "sqrt": (2, 1), "log": (2, 1), "sin": (2, 2), "cos": (2, 2), "atan": (4, 2)}
+
+
 def work_of_steps(f):
-    """How many functions and quotients, and how many products there are; sine and cosine of one angle are one."""
-    functions, products, angles = 0, 0, set()
+    """How many series and how many products of jets there are; sine and cosine of one angle are one function."""
+    series, products, angles = 0, 0, set()
     for (name, left, right), number in zip(f.steps, f.numbers):
         if number is not None or name in ("pi", "s", "+"):
             continue
         if name == "*":
             products += f.numbers[left] is None and f.numbers[right] is None
         elif name == "power":
-            functions += 2 * (right.denominator > 1) + (right < 0)
-            products += 2 * right.numerator.bit_length()
+            fraction, below = right.denominator > 1, right < 0
+            series += 3 * fraction + below
+            products += 2 * fraction + below + 2 * right.numerator.bit_length()
         elif name not in ("sin", "cos") or left not in angles:
-            functions += 2 if name == "atan" else 1
+            series += SERIES[name][0]
+            products += SERIES[name][1]
             angles |= {left} if name in ("sin", "cos") else set()
-    return functions, products
+    return series, products
 
 
-def work_of_models(C, frame):
-    """The same of a curve by formulas."""
+def work_of_models(C, frame, is_joined):
+    """The same of a curve by formulas. At the joints the models are constants."""
     (a, b), (c, d) = work_of_steps(C.f), work_of_steps(C.ends)
-    J, steps, total = JETS[frame], len(C.f.steps) + len(C.ends.steps), 0
-    weight = 6 * J * (a + c) + J * (b + d) + 20
-    for piece in C.pieces:
-        n, b = piece.order, piece.bits + bits_of(piece.to)
-        total += weight * (n * n * b * (2000 + b) // 8000 + 1500 * n) + 20 * b * b + steps * J * (200 * n + 10000)
+    J, steps = JETS[frame], len(C.f.steps) + len(C.ends.steps)
+    series, products = a + c + 3, (J + 1) * (J + 2) // 2 * (b + d) + 20
+    total = sum(6 * bits ** 2 for bits in {piece.bits for piece in C.pieces})
+    parts = [(piece.order, piece.bits + bits_of(piece.to)) for piece in C.pieces]
+    parts += [(1, max([piece.bits for piece in C.pieces], default=0))] * 2 * is_joined
+    for n, b in parts:
+        product = 2000 + 1000 * n + n * b * isqrt(n * b) // 18
+        one = product + n * n * (300000 + b * b) // 7800 + 700 * n + 2000 + b * b // 10
+        total += series * one + products * product + steps * J * (200 * n + 10000)
     return total
 
 
@@ -1385,8 +1408,9 @@ def complete_integral(P):
     """What is derived from X/W, and refused where that is a point."""
     for k, C in enumerate(P.segments):
         if hasattr(C, "expressions"):
+            C.side = 1  # e1 is r'/|r'| times that
             if is_rational(C.f) and is_rational(C.ends):
-                fail("/segments/0/expressions", "these are rational functions, for which x, y, z and w are", C.texts)
+                fail("/segments/%d/expressions" % k, "these are rational functions, for which x, y, z and w are", C.texts)
             continue
         C.X, C.W = [C.x, C.y, C.z], C.w
         slope = C.W.derivative()
@@ -1506,17 +1530,17 @@ def position_of(hodograph, over, start):
     return (X, W) if is_that else fail("", "the curve is not rational", None)
 
 
-def texts_of(value):
+def texts_of(value, at):
     """Of a curve/1 with formulas, as a certificate has them."""
     given, variable = value["expressions"], None
     if not isinstance(given, dict) or not {"x", "y"} <= set(given) <= {*AXES, *ENDS, "variable"}:
-        fail("/expressions", "an object with x, y, perhaps z, from, to and variable is wanted", given)
-    require_keys(value, "", "phrame", "expressions", "variable", *ENDS)
+        fail(at + "/expressions", "an object with x, y, perhaps z, from, to and variable is wanted", given)
+    require_keys(value, at, "phrame", "expressions", "variable", *ENDS)
     every = {"z": 0, **value, **given}
     variable = every.get("variable")
     texts = {}
     for key in (*AXES, *ENDS):
-        place, text = "/expressions/" + key, every.get(key)
+        place, text = at + "/expressions/" + key, every.get(key)
         text = str(Fraction(str(text))) if type(text) in (int, float) else string(text, place)
         reader = FormulaReader(text, Formula(), place, "" if key in ENDS else variable)
         step = reader.read()
@@ -1526,21 +1550,27 @@ def texts_of(value):
 
 
 def read_curves(name, limits):
-    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 or of a spline/1 of these, but for formulas; or the exact form of
-    one curve/1 by formulas; numbers as these files have them, but for hexadecimal ones. A segment without a start goes on where
-    the one before ends."""
+    """[(r', r(0), A or None)], r' in lowest terms, of a curve/1 or of a spline/1 of these, or of those by formulas the exact form;
+    numbers as these files have them, but for hexadecimal ones. A segment without a start goes on where the one before ends."""
     value, curves, end = parsed(read_file(name)), [], [0, 0, 0]
     kind = one_of("curve/1", "spline/1")(value.get("phrame") if isinstance(value, dict) else None, "/phrame")
     is_spline = kind == "spline/1"
-    if "expressions" in value:
-        return [curve_of_texts(texts_of(value), limits)]
     if is_spline:
         require_keys(value, "", "phrame", "segments", "frame")
         expect(bool, "a segment is wanted", [lambda value, place: value])(value.get("segments"), "/segments")
     for k, part in enumerate(value["segments"] if is_spline else [value]):
-        hodograph, over, start, A = read_curve(part, "/segments/%d" % k if is_spline else "", limits, end)
+        place = "/segments/%d" % k if is_spline else ""
+        if isinstance(part, dict) and "expressions" in part:
+            curve = curve_of_texts(texts_of(part, place), limits)
+        else:
+            curve = read_curve(part, place, limits, end)
+        if isinstance(curve, str):
+            end = None
+            curves.append(curve)
+            continue
+        hodograph, over, start, A = curve
         if is_spline:
-            if k > 0 and list(start) != list(end):
+            if k > 0 and end is not None and list(start) != list(end):
                 fail("/segments/%d" % k, "it starts at %s, but the spline ends at %s" % tuple(", ".join(map(str, p)) for p in (start, end)), part)
             X, W = position_of(hodograph, over, start)
             end = [x(1) / W(1) for x in X]
@@ -1695,6 +1725,8 @@ def read_curve(value, at, limits, end):
         u, v, p, q = A
         A, f = [p * -1, q * -1, u, v], f * -1
     start = read((number,) * 3, value["start"], at + "/start") if "start" in value else end
+    if start is None:
+        fail(at, "a start is wanted behind a segment by formulas", value)
     return *in_lowest_terms(hodograph_of(f, A), over), start, A
 
 
@@ -2397,7 +2429,8 @@ class ClosedProof(Statements):
 
     def require_within(self, radius, sides):
         """x + P <= 0 for the first of (x, P), and x - P >= 0 for the second, where x = (rest, terms) is the sum of rest
-        and k arctan(slope) of the terms (k, slope). Nothing is rounded where these cancel."""
+        and k arctan(slope) of the terms (k, slope). Nothing is rounded where these cancel. At first all is known to a
+        part of itself, which tells where a stated number is much too great."""
         ask = max(0, radius.denominator.bit_length() - radius.numerator.bit_length()) + 64
         for sign, (rest, terms, P) in zip((1, -1), sides):
             factors = {}
@@ -2405,8 +2438,7 @@ class ClosedProof(Statements):
                 factors[abs(slope)] = factors.get(abs(slope), 0) + (k if slope >= 0 else -k)
             factors = {slope: k for slope, k in factors.items() if k and slope}
             size = sum(map(abs, factors.values()))
-            for bits in (min(ask, 4096), ask + 256):
-                bits += int(size).bit_length()
+            for bits in (64, *(bits + int(size).bit_length() for bits in (min(ask, 4096), ask + 256))):
                 n = sum(k * self.arctan(slope, bits) for slope, k in factors.items())
                 value, off = sign * (rest + Fraction(n) / (1 << bits)) + P, 25 * bits * Fraction(size) / (1 << bits)
                 require(value - off <= 0, "it is another one")
@@ -2514,15 +2546,14 @@ class IntegralProof(Statements):
         for k, C in enumerate(self.parts):
             if hasattr(C, "texts"):
                 C.needed = ["pieces of segment %d" % k]
-                self.state(*C.needed, self.pieces, (), C)
+                self.state_joint(k)
+                self.state(C.needed[0], self.pieces, (), C)
                 continue
             names = ["%s of segment %d" % (what, k) for what in ("weight", "rate", "pieces")]
             C.needed = names[1:] if C.W.is_constant() else names
             if not C.W.is_constant():
                 self.state(names[0], self.weight, (), C)
-            if k:
-                self.state("joint %d" % k, self.joint, (), *self.parts[k - 1:k + 1])
-                C.needed.append("joint %d" % k)
+            self.state_joint(k)
             self.state(names[1], self.rate, (), C)
             self.state(names[2], self.pieces, names[1:2], C)
         for claim in self.claims:
@@ -2533,6 +2564,62 @@ class IntegralProof(Statements):
         """r = X/W has no pole on [0, 1]."""
         W = C.W.over(common(C.W, C.W.derivative()))
         require(not W.zeros(Fraction(0), Fraction(1)), "w has a zero on [0, 1]")
+
+    def state_joint(self, k):
+        """Beside formulas its name says how near to each other the ends are told to be."""
+        if k == 0:
+            return
+        before, after = self.parts[k - 1:k + 1]
+        beside = [C.pieces[at].bits if C.pieces else 0 for C, at in ((before, -1), (after, 0)) if hasattr(C, "texts")]
+        after.joint = "joint %d" % k + (", to 2^-%d" % (min(beside) // 2) if beside else "")
+        law = (self.joint_of_formulas, before, after, min(beside)) if beside else (self.joint, before, after)
+        self.state(after.joint, law[0], (), *law[1:])
+        after.needed.append(after.joint)
+
+    def joint_of_formulas(self, before, after, bits):
+        """r and the frame of v go on, as far as models of that many bits tell. e1 has the side to r' that it had."""
+        side = before.side if hasattr(before, "texts") else 1 if sign_before_one(before.f) > 0 else -1
+        if hasattr(after, "texts"):
+            after.side = side
+        elif side < 0:
+            after.f, after.H = after.f * -1, [a * -1 for a in after.H]
+        models = Models(2, bits)
+        (end, a), (start, b) = self.end(before, 1, models), self.end(after, 0, models)
+        for P, r in map(models.minus, start, end):
+            require(lengths(P) + r <= 1 << bits - bits // 2, "the segment does not begin where the one before ends")
+        require(self.frame != "frenet", "beside formulas the Frenet frame is not told to go on")
+        if self.frame == "up":
+            P, r = self.turn_of_models(models, a, b)
+            n = P[0] if P else 0
+            after.turn = lambda _: (Fraction(n - r, 1 << bits), Fraction(n + r, 1 << bits))
+
+    def end(self, C, t, models):
+        """r and a vector along e1 where a segment ends, for t = 1, or begins, for t = 0."""
+        if hasattr(C, "texts"):
+            jets = Jets(models, 1)
+            ends = jets.values(C.ends, None)
+            a, b = (ends[C.steps[key]][0] for key in ENDS)
+            values = jets.values(C.f, [b if t else a, models.minus(b, a)])
+            place, slope = ([values[C.steps[key]][j] for key in AXES] for j in (0, 1))
+            return place, [models.scaled(x, Fraction(C.side)) for x in slope]
+        require(C.W(t), "the weight of the segment before is 0 at its end")
+        return [models.number(x(t) / C.W(t)) for x in C.X], self.over_greatest([a(t) for a in C.H], models)
+
+    def over_greatest(self, vector, models):
+        """The vector over the greatest absolute value of its components; 0 remains 0."""
+        most = max(map(abs, vector)) or 1
+        return [models.number(Fraction(x) / most) for x in vector]
+
+    def turn_of_models(self, m, a, b):
+        """By how much the angle to the frame of v grows where the least rotation takes e1 from along a to along b. Of unit vectors
+        v x a becomes v x a - det(v, a, b)(a + b)/(1 + a.b), times 1 + a.b, whose components along v x b and b x (v x b) are C and -S."""
+        a, b = ([m.times(x, size) for x in c] for c, size in ((c, m.inverse(m.root(m.dot(c, c)))) for c in (a, b)))
+        v = self.over_greatest(self.up, m)
+        d = m.dot(v, m.cross(a, b))
+        C = m.plus(m.times(m.dot(m.cross(v, a), m.cross(v, b)), m.plus(m.number(Fraction(1)), m.dot(a, b))), m.times(d, d))
+        S = m.times(d, m.plus(m.dot(v, a), m.dot(v, b)))
+        size = m.root(m.plus(m.times(C, C), m.times(S, S)))
+        return m.scaled(m.atan(m.times(S, m.inverse(m.plus(size, C)))), Fraction(-2))
 
     def joint(self, before, after):
         """r goes on, and with an angle the frame, too; then e1 is H/|H| with the sign that goes on, at a corner with that
@@ -2636,6 +2723,7 @@ class IntegralProof(Statements):
             across = models.cross(v, r[1])
             N = models.scaled(models.times(models.dot(v, r[1]), models.dot(across, r[2])), Fraction(-2))
             rate = models.times(models.times(N, models.inverse(models.dot(across, across))), models.inverse(root))
+            rate = models.scaled(rate, Fraction(C.side))
         else:
             bend = models.cross(r[1], r[2])
             N = models.scaled(models.dot(bend, r[3]), Fraction(-3))
@@ -2660,7 +2748,7 @@ class IntegralProof(Statements):
         last = -(-t.numerator // t.denominator)  # so many segments, the last of them up to t
         low, high = (sum(x) for x in zip((0, 0), *(self.bounds(k, min(Fraction(1), t - k)) for k in range(last))))
         for k in range(1, min(t.numerator // t.denominator, len(self.parts) - 1) + 1):
-            self.rest_on(["joint %d" % k])
+            self.rest_on([self.parts[k].joint])
             low, high = (x + y for x, y in zip((low, high), self.turn(k, 128 + max(0, ask) * (claim.radius > 0))))
         is_known = -claim.radius <= low - claim.value and high - claim.value <= claim.radius
         require(is_known, "it does not follow from the pieces")
@@ -2696,7 +2784,7 @@ class IntegralProof(Statements):
     def table(self, rows):
         """As above, e2 and e3 being those of the frame of v. The first frame is cos phi e2 + sin phi e3, ...."""
         require(self.frame == "up", "the angles are not those to the frame of a vector")
-        require(not hasattr(self.parts[0], "texts"), "there are none of curves by formulas")
+        require(not any(hasattr(C, "texts") for C in self.parts), "there are none of curves by formulas")
         wanted = len(self.claims)
         require(len(rows) == wanted, "it has %d rows, and there are %d angles" % (len(rows), wanted))
         self.rest_on([name for C in self.parts for name in C.needed if name.startswith(("weight", "joint"))])
@@ -2802,7 +2890,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
     parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
     parser.add_argument("--curve", metavar="FILE",
-                        help="the curve it must be of: a curve/1, or a spline/1 without formulas")
+                        help="the curve it must be of: a curve/1 or a spline/1")
     parser.add_argument("--table", metavar="FILE",
                         help="frames, as phrame frames writes them, at the t of the certificate: is each number the\n"
                              "double next to the exact one?")

@@ -119,9 +119,9 @@ void bind_certificate(nb::module_& m, PathClass& path) {
       "Angles, by default the one at the end, with what proves them, and of one PH curve what "
       "kinds it is of; or lengths from the start. The frame is \"erf\" (default of PH curves, "
       "which alone have it), \"up\" (default of others), that of the vector `up`, or "
-      "\"frenet\". There are none of paths of several segments some of which are by formulas. Of a "
-      "closed path of "
-      "PH curves also the holonomy, and the writhe with all crossings that are seen along a "
+      "\"frenet\", but not of paths of several segments some of which are by formulas. Of a closed "
+      "path of PH curves also the holonomy, and the writhe with all crossings that are seen along "
+      "a "
       "vector.");
   auto type = nb::class_<CertificateObject>(m, "Certificate", "docs/certificate.md.");
   using C = CertificateObject;

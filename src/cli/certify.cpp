@@ -87,8 +87,7 @@ void add_certify(Program& program) {
   command.set_notes(
       "Without --at and --samples that at the end. phrame verify checks the certificate, and so\n"
       "does tools/check_certificate.py, which needs Python and nothing else. Of angles to the\n"
-      "Euler-Rodrigues frame that of a spline is made of those of its segments. Of paths with\n"
-      "several segments some of which are by formulas there is no certificate.\n"
+      "Euler-Rodrigues frame that of a spline is made of those of its segments.\n"
       "Examples:\n"
       "  phrame certify curve.json --at 1/2,1 --digits 40 -o angle.cert\n"
       "  phrame certify curve.json --frame frenet | phrame verify -\n"

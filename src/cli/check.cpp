@@ -168,9 +168,12 @@ SuiteRow suite_row_of(const Command& command, const CheckOptions& options,
 }
 
 void run_suite(const Command& command, const CheckOptions& options) {
-  const auto print = choose<std::string (*)(const SuiteAnswer&)>(
-      "--print", options.print,
-      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"svg", to_badge}});
+  const auto print = choose<std::string (*)(const SuiteAnswer&)>("--print", options.print,
+                                                                 {{"text", to_text},
+                                                                  {"json", to_json},
+                                                                  {"latex", to_latex},
+                                                                  {"html", to_html},
+                                                                  {"svg", to_badge}});
   if (command.is_given("--start") && options.start.rule != "least")
     throw InputError("--start", "\"" + options.start.rule + "\" is for one curve, not for --suite");
   const FrameCheckOptions measure = measure_of(options);
@@ -198,7 +201,8 @@ void run_suite(const Command& command, const CheckOptions& options) {
 
 void run_order(const Command& command, const CheckOptions& options) {
   const auto print = choose<std::string (*)(const OrderAnswer&)>(
-      "--print", options.print, {{"text", to_text}, {"json", to_json}, {"latex", to_latex}});
+      "--print", options.print,
+      {{"text", to_text}, {"json", to_json}, {"latex", to_latex}, {"html", to_html}});
   FrameCheckOptions measure = measure_of(options);
   const NamedPath named = options.curve.read_any_path();
   measure.up = options.up.chosen(named.path, options.start.is_up());
@@ -221,7 +225,8 @@ void run(const Command& command, const CheckOptions& options) {
   if (options.is_suite) return run_suite(command, options);
   if (options.print == "svg") throw InputError("--print", "\"svg\", a badge, is for --suite");
   if (options.is_order) return run_order(command, options);
-  if (options.print == "latex") throw InputError("--print", "\"latex\" is for --suite and --order");
+  if (options.print == "latex" || options.print == "html")
+    throw InputError("--print", "\"" + options.print + "\" is for --suite and --order");
   const auto print = choose<std::string (*)(const CheckAnswer&, const TableReading&)>(
       "--print", options.print, {{"text", to_text}, {"json", to_json}});
   FrameReading reading = cli::reading(command, options);
@@ -284,8 +289,9 @@ void add_check(Program& program) {
                    "of quaternions and matrices: they turn the world to the body");
   command.add_list("--header", "NAME,...", options->header,
                    "the names of the columns of a table without them");
-  command.add_format("--print", options->print, {"text", "json", "latex", "svg"},
-                     "text (default), json, of --suite and --order latex, of --suite svg: a badge");
+  command.add_format("--print", options->print, {"text", "json", "latex", "html", "svg"},
+                     "text (default), json, of --suite and --order latex and html: the table, of\n"
+                     "--suite svg: a badge");
   options->length.add_to(command);
   command.require_but_with("--suite", "FRAMES");
   command.not_with({"--order", "--near", "--max-corner", "--kind", "--gap", "--pick",

@@ -31,7 +31,8 @@ const std::vector<std::pair<std::string, std::string>>& formats_by_ending() {
       {"mpl", "maple"},   {"mac", "maxima"}, {"gp", "pari"},       {"obj", "obj"},
       {"stl", "stl"},     {"ply", "ply"},    {"glb", "glb"},       {"gltf", "gltf"},
       {"py", "blender"},  {"nc", "gcode"},   {"ngc", "gcode"},     {"gcode", "gcode"},
-      {"tap", "gcode"},   {"step", "step"},  {"stp", "step"},      {"svg", "svg"}};
+      {"tap", "gcode"},   {"step", "step"},  {"stp", "step"},      {"svg", "svg"},
+      {"html", "html"},   {"htm", "html"}};
   return table;
 }
 

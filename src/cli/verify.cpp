@@ -50,8 +50,11 @@ std::string exact_form_of(const Certificate& c) { return exact_form_of(curves_of
 std::string exact_form_of(const PathCertificate& c) { return exact_form_of(curves_of(c)); }
 std::string exact_form_of(const IntegralCertificate& c) {
   std::string text;
-  if (c.formulas) text += exact_form(*c.formulas);
-  for (const IntegralSegment& s : c.segments) text += exact_form(s.position, s.weight);
+  for (const CertifiedSegment& segment : c.segments) {
+    const auto* s = std::get_if<IntegralSegment>(&segment);
+    text += s != nullptr ? exact_form(s->position, s->weight)
+                         : exact_form(std::get<FormulaSegment>(segment));
+  }
   return text;
 }
 

@@ -122,6 +122,29 @@ bool are_disjoint(const std::vector<RootDisc>& discs) {
   return true;
 }
 
+Integer shifted(const Integer& n, long bits) { return n << static_cast<unsigned long>(bits); }
+
+/// √n to 128 bits, rounded up, or else down.
+Integer root_128(const Integer& n, bool is_up) {
+  const long shift = std::max(0L, bit_length(n) - 256) / 2;
+  Integer root = sqrt(n >> static_cast<unsigned long>(2 * shift));
+  if (is_up && shifted(root * root, 2 * shift) < n) ++root;
+  return shifted(root, shift);
+}
+
+/// |z| to 128 bits.
+Integer sqrt_of_size(const GaussianInteger& z, bool is_up) { return root_128(norm(z), is_up); }
+
+/// 2^(bits·degree)·p(z/2^bits) for a p of integers, whose degree is no greater.
+GaussianInteger on_grid(const Polynomial& p, long degree, const GaussianInteger& z, long bits) {
+  GaussianInteger value{0, 0};
+  for (long k = degree; k >= 0; --k) {
+    value = value * z;
+    value.re += shifted(numerator(p.coefficient(k)), bits * (degree - k));
+  }
+  return value;
+}
+
 /// What integers prove of discs.
 struct DiscLaw {
   DiscLaw(const Polynomial& q, const Polynomial& n, long precision)
@@ -189,10 +212,27 @@ std::optional<Integer> radius_of_root(const Polynomial& q, const GaussianInteger
 }
 
 bool holds_residue(const Polynomial& q, const Polynomial& n, const RootDisc& disc, long bits) {
-  const DiscLaw law(q, n, bits);
-  if (!law.squared_distance(disc.center)) return false;
-  const auto [miss, keep] = law.residue_bound(disc);
-  return miss <= disc.residue_radius * law.unit * keep;
+  constexpr long fine = 64;  // ρ has so many bits more than the grid
+  const long last = q.degree() - 1;
+  const Rational common = Integer(denominator(content(q)) * denominator(content(n)));
+  const Polynomial slope = common * differentiate(q);
+  const Polynomial above = common * n;
+  const GaussianInteger slope_at = on_grid(slope, last, disc.center, bits);
+  const GaussianInteger n_at = on_grid(above, last, disc.center, bits);
+  const GaussianInteger off = slope_at * disc.residue;
+  const Integer miss =
+      sqrt_of_size({shifted(n_at.re, bits) - off.re, shifted(n_at.im, bits) - off.im}, true);
+  const Integer rho =
+      root_128(shifted(norm(disc.center), 2 * fine), true) + shifted(disc.radius, fine);
+  const auto variation = [&](const Polynomial& p) {
+    return on_grid(with_absolute_values(differentiate(p)), last - 1, {rho, 0}, bits + fine).re;
+  };
+  const Integer curving = variation(slope);
+  const long shift = fine * std::max(0L, last - 1);
+  return shifted(miss, shift) + disc.radius * (shifted(variation(above), bits) +
+                                               sqrt_of_size(disc.residue, true) * curving) <=
+         disc.residue_radius *
+             (shifted(sqrt_of_size(slope_at, false), shift) - disc.radius * curving);
 }
 
 std::optional<std::vector<RootDisc>> root_discs(const Polynomial& q, const Polynomial& n,

@@ -1,5 +1,6 @@
-"""Certificates of curves by formulas: both checkers prove the honest ones, whose values are those of mpmath's quadrature of the
-torsion, of e2'.e3 and of |r'|, as these are defined; they refuse forged ones, and decide alike to the last bit.
+"""Certificates of curves by formulas, and of paths with such segments: both checkers prove the honest ones, whose values are those of
+mpmath's quadrature of the torsion, of e2'.e3 and of |r'|, as these are defined, and at corners of rotated vectors; they refuse
+forged ones, and decide alike to the last bit.
 """
 import copy
 import io
@@ -57,8 +58,26 @@ SUBJECTS = [  # name, curve, arguments
     ("exp", curve("exp(-u)*cos(2*u)", "exp(-u)*sin(2*u)", "exp(u/3)", "0", "1", variable="u"), ["--digits", "12", "--frame", "up", "--up", "1,-2,3"]),
     ("length of exp", curve("exp(-s)*cos(2*s)", "exp(-s)*sin(2*s)", "exp(s/3)"), ["--length", "--digits", "12", "--at", "2/7,1"]),
     ("log, sqrt and atan", LOG, ["--digits", "10", "--frame", "frenet"]),
+    ("raised digits", curve("x² − 2·x⁻³", "exp(−x²)", "sin(x)²·x", 1, "3⁻¹·π"), ["--digits", "8"]),
     ("others", curve("tan(t)/2", "asin(t/2) + cosh(t)", "t**(2/3) - e^t/t**3", "pi/8", 1), ["--digits", "8", "--up", "0,1,1/3"]),
     ("plane", curve("s", "sin(s)", 0, 1, 2), ["--digits", "10", "--frame", "frenet"])]
+
+
+def spline(*segments):
+    return {"phrame": "spline/1", "segments": list(segments)}
+
+
+CORNER = spline(curve("cos(s)", "sin(s)", "s/3", 0, "pi/2"), curve("s", "exp(s)", "pi/6 + s^2"))
+SMOOTH = spline(curve("cos(s)", "sin(s)", "s", 0, "pi/2"), curve("cos(s)", "sin(s)", "s", "pi/2", "pi"))
+SUBJECTS += [
+    ("corner", CORNER, ["--digits", "12", "--up", "1,-7,2"]),
+    ("smooth joint", SMOOTH, ["--digits", "10"]),
+    ("length of two", CORNER, ["--length", "--digits", "10", "--at", "1/2,3/2,2"]),
+    # r' = (2t - 1)(1, t, 1 + t^2) has a cusp, behind which e1 = -r'/|r'| goes on, also through a corner and along formulas.
+    ("cusp", spline({"basis": "power", "position": {"x": [0, -1, 1], "y": [0, 0, "-1/2", "2/3"], "z": [0, -1, 1, "-1/3", "1/2"]}},
+                    curve("exp(s) - 1", "1/6 + sin(s)", "1/6 + s + s^2"), curve("exp(1) - 1 + s", "1/6 + sin(1) + s^2", "13/6 + 3*s")),
+     ["--digits", "10", "--up", "1,-7,2"]),
+    ("mixed", json.loads((ROOT / "examples" / "any" / "mixed.json").read_text()), ["--digits", "10", "--at", "1,5/2,3"])]
 
 
 def check_value(name, value, certificate):
@@ -70,14 +89,17 @@ def check_value(name, value, certificate):
     mp.dps = 15
     names = {key: getattr(mp, key) for key in ("sin", "cos", "exp", "log", "sqrt", "atan", "asin", "tan", "cosh", "e", "pi")}
     number = lambda text, **more: mp.mpf(eval(str(text).replace("^", "**"), {**names, **more}))
-    given, variable = value["expressions"], "u" if "u" in value["expressions"]["x"] else "t" if name == "others" else "s"
-    a, b, up = number(value["from"]), number(value["to"]), [number(x) for x in certificate.get("up", [])]
+    variable = "t" if name == "others" else "u" if name == "exp" else "s"
+    up = [number(x) for x in certificate.get("up", [])]
     dot = lambda a, b: sum(x * y for x, y in zip(a, b))
     cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
-    def rate(s):
+    def derivatives(given, s):
         series = [mp.taylor(lambda x: number(given[key], **{variable: x}), s, 3) for key in "xyz"]
-        d, e, f = ([row[n] * mp.factorial(n) for row in series] for n in (1, 2, 3))
+        return [[row[n] * mp.factorial(n) for row in series] for n in (1, 2, 3)]
+
+    def rate(given, s):
+        d, e, f = derivatives(given, s)
         speed = mp.sqrt(dot(d, d))
         if certificate["frame"] == "none":
             return speed
@@ -88,10 +110,24 @@ def check_value(name, value, certificate):
         size = mp.sqrt(dot(n, n))
         e2 = [x / size for x in n]
         return -dot([(x - y * dot(e2, slope)) / size for x, y in zip(slope, e2)], cross([x / speed for x in d], e2))
-    if name == "trefoil, Frenet":  # the trapezoidal rule of a period converges geometrically
-        total = sum(rate(a + (b - a) * k / 150) for k in range(150)) * (b - a) / 150
-    else:
-        total = mp.quadgl(rate, mp.linspace(a, b, 13 if name == "helix" else 3), maxdegree=3)
+
+    def turn(a, b):
+        """v x a rotated about a x b by the angle of a and b, against v x b; about b."""
+        axis, side, other = cross(a, b), cross(up, a), cross(up, b)
+        size, along = mp.sqrt(dot(axis, axis)), [x / mp.sqrt(dot(b, b)) for x in b]
+        angle, n = mp.atan2(size, dot(a, b)), [x / size for x in axis]
+        moved = [mp.cos(angle) * x + mp.sin(angle) * y + (1 - mp.cos(angle)) * dot(n, side) * z for x, y, z in zip(side, cross(n, side), n)]
+        return mp.atan2(dot(cross(other, moved), along), dot(other, moved))
+    total, before = 0, None
+    for part in value.get("segments", [value]):
+        given, a, b = part["expressions"], number(part["from"]), number(part["to"])
+        if name == "trefoil, Frenet":  # the trapezoidal rule of a period converges geometrically
+            total += sum(rate(given, a + (b - a) * k / 150) for k in range(150)) * (b - a) / 150
+        else:
+            total += mp.quadgl(lambda s: rate(given, s), mp.linspace(a, b, 13 if name == "helix" else 3), maxdegree=3)
+        if name == "corner" and before:
+            total += turn(before, derivatives(given, a)[0])
+        before = derivatives(given, b)[0]
     stated = mp.mpf(certificate["claims"][-1].get("theta", certificate["claims"][-1].get("length")))
     if abs(total - stated) > mp.mpf("1e-7") * max(1, abs(stated)) + mp.mpf(certificate["claims"][-1]["radius"]):
         sys.exit("%s: quadrature finds %s, stated is %s" % (name, total, stated))
@@ -101,7 +137,8 @@ def check_to_the_last_bit(name, certificate, path):
     """With the least radius that follows from the pieces both prove the claim, with a smaller one neither does."""
     proof = checker.proof_of(checker.read_certificate(json.dumps(certificate).encode(), Namespace(max_degree=1001, unlimited=False)))
     proof.run()
-    low, high = proof.bounds(0, Fraction(1))
+    bounds = [proof.bounds(k, Fraction(1)) for k in range(len(proof.parts))] + [proof.turn(k, 0) for k in range(1, len(proof.parts))]
+    low, high = (sum(x) for x in zip(*bounds))
     value = Fraction(certificate["claims"][-1].get("theta", certificate["claims"][-1].get("length")))
     least = max(value - low, high - value)
     digits = least.denominator.bit_length()
@@ -135,12 +172,12 @@ def check_honest(here):
             sys.exit("%s: %s" % (name, done.stderr))
         expect(0, name, path, curve=file)
         certificate = json.loads(path.read_text())
-        if ALL or name in ("trefoil, Frenet", "exp"):
+        if name in ("trefoil, Frenet", "exp", "corner") or ALL and name not in ("cusp", "mixed"):
             check_value(name, value, certificate)
         if name == "helix" and abs(Fraction(certificate["claims"][0]["theta"]) - Fraction(  # 4 pi/5
                 "2.51327412287183459077011470662360230773577395")) > Fraction(certificate["claims"][0]["radius"]):
             sys.exit("the helix: %s" % certificate["claims"])
-        if ALL or name in ("exp", "log, sqrt and atan", "others"):
+        if name in ("exp", "log, sqrt and atan", "others", "corner") or ALL and name != "mixed":
             check_to_the_last_bit(name, certificate, path)
 
 
@@ -210,13 +247,50 @@ def forgeries(honest):
     yield "a rate", 2, "rate", changed(lambda c, p: p[1].update(rate=["1"]))
     yield "no end", 2, "to", changed(lambda c, p: c["segments"][0]["expressions"].pop("to"))
     yield "a weight", 2, "w", changed(lambda c, p: c["segments"][0].update(w=["1"]))
-    yield "two segments", 2, "/segments/0", changed(lambda c, p: c["segments"].append(c["segments"][0]))
+    yield "the same once more", 1, "not proved  joint 1", changed(lambda c, p: [c["segments"].append(c["segments"][0]), c["claims"][-1].update(t="2")])
     for formula in ("sin(3 *s)", "sin(3*t)", "sin(3s)", "sin 3*s", "tan(s)", "sin((s))", "2*(3*s) + -1", "e^s", "s**2", "1.5*s", "s^1001", "s^(1/1001)", "",
                     "s^s", "1/0", "sin(s", "sin(s))", "(" * 61 + "s" + ")" * 61, "+s", "s + 1e3", "-(-s))", "cos(\u03b8)", "s^(-1/2)^2", "1/(1 - 1)", "sin(s)x"):
         yield "no formula, " + formula, 2, "/expressions/z", with_formula("z", formula)
     yield "an end that is no constant", 2, "/expressions/to", with_formula("to", "2*s")
     yield "rational functions", 2, "rational", changed(lambda c, p: c["segments"][0]["expressions"].update(x="s", y="s^2", z="1/(1 + s)^(-3)", to="1"))
     yield "too much work", 2, "work", changed(lambda c, p: p[0].update(order=3000))
+
+
+def forgeries_of_path(honest):
+    """Of two segments with a corner."""
+    joint, text = "not proved  joint 1, to 2^-", "not proved  |theta(2) - "
+
+    def changed(do):
+        lie = copy.deepcopy(honest)
+        do(lie, lie["segments"])
+        return lie
+
+    def with_second(start=0, end=1, **formulas):
+        return changed(lambda c, s: s[1]["expressions"].update({**formulas, "from": str(start), "to": str(end)}))
+    yield "a gap", 1, joint, with_second(z="s^2 + pi/6 + 1/1000")
+    yield "a gap of 2^-20", 1, joint, with_second(y="exp(s) + 1/1000000")
+    yield "another corner", 1, text, with_second(x="2*s")
+    yield "no corner", 1, text, with_second(x="-s", y="1", z="pi/6 + s/3 + s^2")
+    yield "it turns back", 1, joint, with_second("pi/2", 0, x="cos(s)", y="sin(s)", z="s*(1/3)")
+    yield "the other way around", 1, joint, changed(lambda c, s: s.reverse())
+    yield "v along the tangent", 1, joint, changed(lambda c, s: c.update(up=["1", "1", "0"]))
+    yield "v along the other tangent", 1, joint, changed(lambda c, s: c.update(up=["-3", "0", "1"]))
+    yield "Frenet", 1, joint, changed(lambda c, s: [c.update(frame="frenet"), c.pop("up")])
+    yield "no bits at the joint", 1, "not proved  joint 1, to 2^-0", changed(lambda c, s: s[1]["pieces"][0].update(bits=0))
+    yield "fewer bits at the joint", 0, "proved      joint 1, to 2^-30", changed(lambda c, s: s[1]["pieces"].insert(0, {"to": "1/1000000", "order": 4, "bits": 60}))
+    yield "too few bits for the turn", 1, "proved      joint 1, to 2^-15", changed(lambda c, s: s[1]["pieces"].insert(0, {"to": "1/1000000", "order": 4, "bits": 30}))
+    yield "no pieces", 1, "not proved  joint 1, to 2^-0", changed(lambda c, s: s[0]["pieces"].clear())
+    yield "pieces of the second lost", 1, "not proved  pieces of segment 1", changed(lambda c, s: s[1]["pieces"].pop())
+    yield "one lost", 1, "t is not on the path", changed(lambda c, s: s.pop())
+    yield "another sign", 1, text, changed(lambda c, s: c["claims"][-1].update(theta=str(-float(c["claims"][-1]["theta"]))))
+    yield "a radius too small", 1, text, changed(lambda c, s: c["claims"][-1].update(radius="1e-30"))
+    yield "before the corner", 1, "not proved  |theta(1/2) - ", changed(lambda c, s: c["claims"][-1].update(t="1/2"))
+    yield "beyond the end", 1, "not proved  |theta(3) - ", changed(lambda c, s: c["claims"][-1].update(t="3"))
+    yield "rational functions", 2, "/segments/1", with_second(x="s", y="1 + s", z="s^2")
+    yield "a weight", 2, "/segments/1", changed(lambda c, s: s[1].update(w=["1"]))
+    yield "no formulas", 2, "/segments/1", changed(lambda c, s: s[1].pop("expressions"))
+    line = {"x": ["0", "1"], "y": ["1"], "z": ["1/6", "1"], "w": ["1"], "square": ["1"], "pieces": []}
+    yield "an end without pi", 1, joint, changed(lambda c, s: s.__setitem__(1, line))
 
 
 def check_forged(here):
@@ -233,16 +307,35 @@ def check_forged(here):
     other.write_text(json.dumps({**PART, "variable": "phi", "expressions": {
         key: text.replace("s)", "phi)").replace(" ", "") for key, text in PART["expressions"].items()}, "to": " pi /3"}))
     expect(0, "the same curve in other letters", path, curve=other)
+    other.write_text(json.dumps(curve("(−cos(3·φ) − 2)·cos(2×φ)·(−1)", "(2 + cos(3·φ))·sin(2·φ)", "sin(3·φ)", 0, "π÷3", variable="φ")))
+    expect(1, "in Greek letters, but multiplied in another way", path, curve=other, line="not proved  curve of")
+    other.write_text(json.dumps(curve("(2 + cos(3·φ))·cos(2×φ)", "(2 + cos(3·φ))⋅sin(2·φ)", "sin(3·φ)", 0, "π÷3", variable="φ")))
+    expect(0, "the same curve in Greek letters", path, curve=other)
     for what, status, line, lie in forgeries(honest):
         path.write_text(json.dumps(lie))
         expect(status, what, path, line=line)
+        number += 1
+    file.write_text(json.dumps(CORNER))
+    run("certify", file, "--digits", "10", "--up", "1,-7,2", "-o", path)
+    check_table(here, path)
+    other.write_text(json.dumps(spline(*CORNER["segments"][:1], curve("s", "exp(s)", "pi/6 + s^2", 0, "1/2"))))
+    expect(1, "another path", path, curve=other, line="not proved  curve of")
+    file.write_text(json.dumps(SMOOTH))
+    run("certify", file, "--digits", "10", "--at", "1", "-o", other)
+    gap = json.loads(other.read_text())
+    gap["segments"][1]["expressions"]["z"] = "s + 1/1000"
+    other.write_text(json.dumps(gap))
+    expect(1, "behind a gap", other, line="not proved  |theta(1) - ")
+    for what, status, line, lie in forgeries_of_path(json.loads(path.read_text())):
+        path.write_text(json.dumps(lie))
+        expect(status, "path: " + what, path, line=line)
         number += 1
     return number
 
 
 def check_refused(here):
     file = here / "a.json"
-    for value, arguments, words in (({"phrame": "spline/1", "segments": [TREFOIL, curve("3 + s", "3*s", "3*s")]}, [], "formulas"),
+    for value, arguments, words in ((SMOOTH, ["--frame", "frenet"], "formulas"),
                                     (curve("s", "sin(s)", "0"), ["--frame", "frenet"], "next to t = 0: a divisor may be 0"), (TREFOIL, ["--holonomy"], "PH")):
         file.write_text(json.dumps(value))
         done = run("certify", file, *arguments)

@@ -70,6 +70,14 @@ def at_point(t):
     return lambda c: c["decisions"]["regular"].update(answer=False, cusps=[{"t": t, "order": 1}])
 
 
+def at_cusp(t):
+    """Of a curve with one."""
+    def change(c):
+        c["curve"]["multiplier"] = ["-1", "2"]
+        at_point(t)(c)
+    return change
+
+
 def all_claims(**values):
     return lambda c: [claim.update(values) for claim in c["claims"]]
 
@@ -118,6 +126,9 @@ def bad():
         "close zeros": at_point({"polynomial": ["9" * 30000, "-2" + "0" * 30000, "1" + "0" * 30000], "interval": ["0", "2"]}),
         "close zeros of degree 8": at_point({"polynomial": texts(mignotte(8, 10 ** 3000)), "interval": ["0", "1"]}),
         "long interval": at_point({"polynomial": ["-1", "0", "0", "0", "0", "0", "7"], "interval": ["1/" + "7" * 15000, "2"]}),
+        "interval to 1e3000": at_cusp({"polynomial": ["1", "-136", "-228", "-392", "-539", "11480"], "interval": ["0", "9" * 3000]}),
+        "three zeros, one far away": at_cusp({"polynomial": texts(product(product([-1, 3], [-1, 2]), [-10 ** 3000, 1])), "interval": ["0", "9" * 3001]}),
+        "close zeros in a long interval": at_cusp({"polynomial": texts(mignotte(8, 10 ** 300)), "interval": ["-1" + "0" * 1000, "9" * 1001]}),
         "modulus": set_at(["rate", "coprime_modulo"], "1" + "0" * 60000 + "1"),
         "bits": set_at(["bits"], 1000000),
         "direction": set_at(["decisions", "line"], {"answer": True, "direction": ["1/" + "7" * 30000, "2", "3"]}),
@@ -258,6 +269,19 @@ def formulas():
         yield "formulas: " + name, of_formula(300, z=text)
 
 
+    def of_segments(n, *parts):
+        """With so many segments, these in turn."""
+        def change(c):
+            c.update(segments=[parts[k % len(parts)] for k in range(n)], claims=[{"t": str(n), "theta": "1", "radius": "1e-5"}])
+        return changed(change, base)
+    line = {"x": ["0", "1"], "y": ["0", "1"], "z": ["3"], "w": ["1"], "square": ["1"], "pieces": []}
+    for bits in (64, 1000, 20000):
+        part = {"expressions": {"x": "cos(s)", "y": "sin(atan(s))", "z": "3", "from": "0", "to": "pi"}, "pieces": [{"to": "1", "order": 2, "bits": bits}]}
+        yield "formulas: many segments, %d bits" % bits, of_segments(500, part)
+        yield "formulas: segments of two kinds, %d bits" % bits, of_segments(500, line, part)
+        yield "formulas: long numbers at joints, %d bits" % bits, of_segments(20, {**line, "x": ["0", "1" + "0" * 4000]}, part)
+
+
 def closed():
     """Of closed paths: a circle that is gone round twice, so that all crossings are lost, and long numbers."""
     sides = [([1, 0, -1], [0, 2]), ([0, -2], [1, 0, -1]), ([-1, 0, 1], [0, -2]), ([0, 2], [-1, 0, 1])]
@@ -273,6 +297,8 @@ def closed():
     yield "closed: long box", of_writhe(crossings=[{**first, "first": {**first["first"], "interval": ["1/" + "7" * 4000, "85/128"]}}])
     yield "closed: many boxes", of_writhe(crossings=[first] * 130)
     yield "closed: radius 1e-1100", of_writhe(radius="1e-1100")
+    yield "closed: value 3e10000", of_writhe(value="3e10000")
+    yield "closed: radius 3e10000", of_writhe(radius="3e10000")
     yield "closed: value of 20000 digits", of_writhe(value="0." + "3" * 20000)
 
 

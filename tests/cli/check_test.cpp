@@ -290,12 +290,19 @@ TEST_CASE("check: the order of a method is found from its tables at several step
   CHECK(json["steps"][2]["rate"]["value"].get<std::string>().starts_with("2.00000"));
   CHECK(here.run("check line.json mine --order --print latex")
             .out.starts_with("\\begin{tabular}{lrrr}\n"));
+  CHECK(here.run("check line.json mine --order -o order.html").status == 0);
+  CHECK(std::filesystem::file_size(here.file("order.html")) ==
+        here.run("check line.json mine --order --print html").out.size());
+  CHECK(contains(here.run("check line.json mine --order --print html").out,
+                 "<table>\n<tr><th>frames</th><th style=\"text-align:right\">step</th>"));
   check_failure(here.run("check line.json --order"), 2, "FRAMES: is required");
   check_failure(here.run("check line.json mine --suite"), 2,
                 "FRAMES: does not apply with --suite\n");
   check_failure(here.run("check line.json mine/4.csv --order"), 2, "mine/4.csv: is no folder");
   check_failure(here.run("check line.json mine/4.csv --print latex"), 2,
                 "--print: \"latex\" is for --suite and --order");
+  check_failure(here.run("check line.json mine/4.csv --print html"), 2,
+                "--print: \"html\" is for --suite and --order");
   fs::create_directory(here.file("empty"));
   check_failure(here.run("check --suite empty"), 2, "empty: no tables are in it");
   check_failure(here.run("check --suite mine"), 2, "mine/16.csv: no curve of the collection");

@@ -85,6 +85,9 @@ def main():
         text = phrame("check", "--suite", mine, status=1)
         assert "\n  rational-frames  " in text and "Without a verdict\n  rational-frames-02: " in text
         latex = phrame("check", "--suite", mine, "--print", "latex", status=1)
+        html = xml.etree.ElementTree.fromstring(phrame("check", "--suite", mine, "--print", "html", status=1))
+        rows = [[cell.text for cell in row] for row in html.iter("tr")]
+        assert rows[0][:3] == ["group", "curves", "pass"] and rows[-1][:3] == ["all", *(str(groups[""][key]) for key in ("curves", "passed"))], rows
         check_badge(folder, mine, groups[""])
         assert latex.startswith("\\begin{tabular}{lrrrrrrr}\ngroup & ") and latex.isascii(), latex
         exact = folder / "collection/frames"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
@@ -118,8 +119,9 @@ class IntegralReader {
     return s;
   }
 
-  /// A curve by formulas, with so many derivatives.
-  FormulaSegment formulas(const JsonNode& node, long derivatives) {
+  /// A curve by formulas, with so many derivatives. At the joints of several segments the models
+  /// are constants.
+  FormulaSegment formulas(const JsonNode& node, long derivatives, bool is_joined) {
     node.require_known_keys({"expressions", "pieces"});
     const JsonNode expressions = node.at("expressions");
     expressions.require(JsonNode::Kind::object, "an object");
@@ -136,22 +138,30 @@ class IntegralReader {
     of_ends.insert(s.from);
     of_ends.insert(s.to);
     const FormulaWork ends = work_of(of_ends);
-    const Integer weight = 6 * derivatives * (coordinates.functions + ends.functions) +
-                           derivatives * (coordinates.products + ends.products) + 20;
+    const Integer series = coordinates.series + ends.series + 3;
+    const Integer products =
+        (derivatives + 1) * (derivatives + 2) / 2 * (coordinates.products + ends.products) + 20;
     const Integer steps_of_all(steps.steps().size() + of_ends.steps().size());
+    const auto models = [&](const Integer& n, const Integer& b) {
+      const Integer x = n * b;
+      const Integer product = 2000 + 1000 * n + x * sqrt(x) / 18;
+      const Integer one = product + n * n * (300000 + b * b) / 7800 + 700 * n + 2000 + b * b / 10;
+      work_ += series * one + products * product + steps_of_all * derivatives * (200 * n + 10000);
+    };
+    std::set<long> bits{0};  // of all pieces
     s.pieces = read_list(node.at("pieces"), [&](const JsonNode& item) {
       item.require(JsonNode::Kind::object, "an object");
       item.require_known_keys({"to", "order", "bits"});
       ModelPiece piece{exact(item.at("to")),
                        read_count(item.at("order"), 2, most_certificate_count),
                        read_count(item.at("bits"), 0, most_certificate_count)};
-      const Integer n = piece.order;
-      const Integer b = piece.bits + bits_of(piece.to);
-      work_ += weight * (n * n * b * (2000 + b) / 8000 + 1500 * n) + 20 * b * b +
-               steps_of_all * derivatives * (200 * n + 10000);
+      models(piece.order, piece.bits + bits_of(piece.to));
+      bits.insert(piece.bits);
       longest_ = std::max(longest_, piece.order);
       return piece;
     });
+    for (int side = 0; is_joined && side < 2; ++side) models(1, *bits.rbegin());
+    for (const long b : bits) work_ += 6 * Integer(b) * Integer(b);
     return s;
   }
 
@@ -225,16 +235,20 @@ std::optional<Reference> read_frame_of_integral(const JsonNode& node) {
       fmt::format("the frame is \"up\", \"frenet\" or \"none\", not \"{}\"", abbreviated(name)));
 }
 
-bool is_by_formulas(const JsonNode& segments) {
-  return segments.is(JsonNode::Kind::array) && segments.size() == 1 &&
-         segments.item(0).is(JsonNode::Kind::object) && segments.item(0).find("expressions");
+bool is_by_formulas(const JsonNode& segment) {
+  return segment.is(JsonNode::Kind::object) && segment.find("expressions");
 }
 
-/// Is r a point?
-bool is_point(const IntegralSegment& s) {
+/// Why there is no such curve, or "".
+std::string objection_to(const FormulaSegment& s) {
+  const bool is_quotient = is_rational(s.position[0]) && is_rational(s.position[1]) &&
+                           is_rational(s.position[2]) && is_rational(s.from) && is_rational(s.to);
+  return is_quotient ? "these are rational functions, for which x, y, z and w are" : "";
+}
+std::string objection_to(const IntegralSegment& s) {
   for (const Polynomial& x : s.position)
-    if (!(differentiate(x) * s.weight == x * differentiate(s.weight))) return false;
-  return true;
+    if (!(differentiate(x) * s.weight == x * differentiate(s.weight))) return "";
+  return "the curve is a single point";
 }
 
 }  // namespace
@@ -251,11 +265,12 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
   IntegralReader read(limits);
   if (c.frame == Reference::up) c.up = read.vector(node.at("up"));
   const JsonNode segments = node.at("segments");
-  if (is_by_formulas(segments))
-    c.formulas = read.formulas(segments.item(0), !c.frame ? 1 : c.frame == Reference::up ? 2 : 3);
-  else
-    c.segments = read_list(segments, [&](const JsonNode& item) { return read.segment(item); });
-  if (c.segments.empty() && !c.formulas) segments.fail("a path has at least one segment");
+  const long derivatives = !c.frame ? 1 : c.frame == Reference::up ? 2 : 3;
+  c.segments = read_list(segments, [&](const JsonNode& item) -> CertifiedSegment {
+    if (is_by_formulas(item)) return read.formulas(item, derivatives, segments.size() > 1);
+    return read.segment(item);
+  });
+  if (c.segments.empty()) segments.fail("a path has at least one segment");
   const std::string value = c.frame ? "theta" : "length";
   read_list(node.at("claims"), [&](const JsonNode& item) {
     item.require_known_keys({"t", value, "radius"});
@@ -269,20 +284,22 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
     return 0;
   });
   limit.add(node, read.work());
-  if (const auto& f = c.formulas; f && is_rational(f->position[0]) && is_rational(f->position[1]) &&
-                                  is_rational(f->position[2]) && is_rational(f->from) &&
-                                  is_rational(f->to))
-    segments.item(0).fail("these are rational functions, for which x, y, z and w are");
-  for (std::size_t k = 0; k < c.segments.size(); ++k)
-    if (is_point(c.segments[k])) segments.item(k).fail("the curve is a single point");
+  for (std::size_t k = 0; k < c.segments.size(); ++k) {
+    const std::string objection =
+        std::visit([](const auto& s) { return objection_to(s); }, c.segments[k]);
+    if (!objection.empty()) segments.item(k).fail(objection);
+  }
   return found;
 }
 
 IntegralCertificate with_canonical_formulas(IntegralCertificate c) {
-  if (!c.formulas) return c;
-  for (Formula& f : c.formulas->position) f = canonical(f);
-  c.formulas->from = canonical(c.formulas->from);
-  c.formulas->to = canonical(c.formulas->to);
+  for (CertifiedSegment& segment : c.segments) {
+    auto* formulas = std::get_if<FormulaSegment>(&segment);
+    if (formulas == nullptr) continue;
+    for (Formula* f : {&formulas->position[0], &formulas->position[1], &formulas->position[2],
+                       &formulas->from, &formulas->to})
+      *f = canonical(*f);
+  }
   return c;
 }
 

@@ -186,8 +186,9 @@ std::string write_certificate(const IntegralCertificate& certificate, const std:
   json["frame"] = certificate.frame ? name_of(*certificate.frame) : "none";
   if (certificate.frame == Reference::up) json["up"] = phrame::json_of(certificate.up);
   const auto each = [](const auto& x) { return json_of(x); };
-  json["segments"] = array_of(certificate.segments, each);
-  if (certificate.formulas) json["segments"].push_back(json_of(*certificate.formulas));
+  json["segments"] = array_of(certificate.segments, [&](const CertifiedSegment& segment) {
+    return std::visit(each, segment);
+  });
   json["claims"] =
       certificate.frame ? array_of(certificate.angles, each) : array_of(certificate.lengths, each);
   return pretty(json);

@@ -40,6 +40,20 @@ std::string table_latex(const Table& table) {
   return text + "\\end{tabular}\n";
 }
 
+/// A table element, numbers on the right.
+std::string table_html(const Table& table) {
+  std::string text = "<table>\n";
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const char* name = k == 0 ? "th" : "td";
+    text += "<tr>";
+    for (std::size_t j = 0; j < table[k].size(); ++j)
+      text += fmt::format("<{0}{1}>{2}</{0}>", name, j == 0 ? "" : " style=\"text-align:right\"",
+                          element_text(with_minus_sign(table[k][j])));
+    text += "</tr>\n";
+  }
+  return text + "</table>\n";
+}
+
 std::string bound_cell(const std::optional<Rational>& x) { return x ? upper_bound_text(*x) : "–"; }
 
 std::string order_cell(const std::optional<double>& order) {
@@ -195,6 +209,8 @@ std::string to_json(const SuiteAnswer& answer) {
 
 std::string to_latex(const SuiteAnswer& answer) { return table_latex(group_table(answer)); }
 
+std::string to_html(const SuiteAnswer& answer) { return table_html(group_table(answer)); }
+
 std::string to_text(const OrderAnswer& answer) {
   const Convergence& found = answer.convergence;
   std::string text = name_prefix(answer.name);
@@ -212,5 +228,7 @@ std::string to_json(const OrderAnswer& answer) {
 }
 
 std::string to_latex(const OrderAnswer& answer) { return table_latex(step_table(answer)); }
+
+std::string to_html(const OrderAnswer& answer) { return table_html(step_table(answer)); }
 
 }  // namespace phrame

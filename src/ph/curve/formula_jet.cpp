@@ -56,6 +56,10 @@ std::optional<Rational> DistinctSteps::number_of(const Step& step) const {
 
 FormulaWork work_of(const DistinctSteps& steps) {
   FormulaWork work;
+  const auto add = [&](long series, long products) {
+    work.series += series;
+    work.products += products;
+  };
   std::set<std::size_t> angles;
   for (std::size_t k = 0; k < steps.steps().size(); ++k) {
     const Formula::Step& step = steps.steps()[k];
@@ -66,22 +70,26 @@ FormulaWork work_of(const DistinctSteps& steps) {
       case Operation::add:
         break;
       case Operation::multiply:
-        if (!steps.number(step.left) && !steps.number(step.right)) work.products += 1;
+        if (!steps.number(step.left) && !steps.number(step.right)) add(0, 1);
         break;
       case Operation::power:
-        if (denominator(step.number) != 1) work.functions += 2;
-        if (step.number.sign() < 0) work.functions += 1;
-        work.products += 2 * bit_length(numerator(step.number));
+        if (denominator(step.number) != 1) add(3, 2);
+        if (step.number.sign() < 0) add(1, 1);
+        add(0, 2 * bit_length(numerator(step.number)));
         break;
       case Operation::sin:
       case Operation::cos:
-        if (angles.insert(step.left).second) work.functions += 1;
+        if (angles.insert(step.left).second) add(2, 2);
         break;
       case Operation::atan:
-        work.functions += 2;
+        add(4, 2);
+        break;
+      case Operation::sqrt:
+      case Operation::log:
+        add(2, 1);
         break;
       default:
-        work.functions += 1;
+        add(1, 1);
     }
   }
   return work;

@@ -30,9 +30,10 @@ class DistinctSteps {
   std::map<Step, std::size_t> known_;
 };
 
-/// How much it is to find their jets: by functions and quotients, and by products.
+/// How much it is to find their jets: so many series of models, and products of jets. Sine and
+/// cosine of one angle are one function.
 struct FormulaWork {
-  Integer functions = 0;
+  Integer series = 0;
   Integer products = 0;
 };
 FormulaWork work_of(const DistinctSteps& steps);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/grid_quotient.hpp"
@@ -103,38 +104,37 @@ class PieceMaker {
 /// What is to be certified, without its pieces.
 IntegralCertificate without_pieces(const Path& path) {
   IntegralCertificate c;
-  if (path.segments().size() == 1)
-    if (const auto* curve = std::get_if<ExpressionCurve>(&path.segments().front())) {
-      c.formulas = {curve->position(), curve->from(), curve->to(), {}};
-      return c;
+  for (const Segment& segment : path.segments()) {
+    if (const auto* by_formulas = std::get_if<ExpressionCurve>(&segment)) {
+      c.segments.push_back(
+          FormulaSegment{by_formulas->position(), by_formulas->from(), by_formulas->to(), {}});
+      continue;
     }
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const RationalCurve* curve = rational_curve(path.segments()[k]);
-    if (curve == nullptr)
-      throw DomainError(fmt::format(
-          "certify: segment {} is given by formulas, which certificates of paths do not have",
-          k + 1));
+    const RationalCurve* curve = rational_curve(segment);
     const Polynomial sigma = dot(curve->direction(), curve->direction());
     Polynomial root = square_root(sigma).value_or(Polynomial{1});
     if (root(0) < 0) root = -root;
-    c.segments.push_back({curve->numerator(), curve->weight(), std::move(root), {}});
+    c.segments.push_back(IntegralSegment{curve->numerator(), curve->weight(), std::move(root), {}});
   }
   return c;
 }
 
-/// Gives c pieces of all of the curve, by halving, where the rate is off by no more than `room`.
-/// Where that does not end it says why not, and where.
-std::string objection_to_models(IntegralCertificate& c, const Rational& room, long order,
-                                long bits) {
-  std::vector<ModelPiece>& pieces = c.formulas->pieces;
+/// Gives segment k, which is by formulas, pieces of all of it, by halving, where the rate is off by
+/// no more than `room`. Where that does not end it says why not, and where.
+std::string objection_to_models(IntegralCertificate& c, std::size_t k, const Rational& room,
+                                long order, long bits) {
+  auto& segment = std::get<FormulaSegment>(c.segments[k]);
+  std::vector<ModelPiece>& pieces = segment.pieces;
   pieces.clear();
+  const DirectedCurve curve = directed_curve(c.segments[k]);
   Rational start = 0;
   std::string objection;
   for (std::vector<Rational> ends{1}; !ends.empty();) {
     const ModelPiece piece{ends.back(), order, bits};
-    const PieceProof proof(c, piece, start);
+    const PieceProof proof(c, segment, curve, piece, start);
     if (proof.is_too_short())
-      return fmt::format("next to t = {:.9g}: {}", static_cast<double>(start), objection);
+      return fmt::format("next to t = {:.9g}: {}",
+                         static_cast<double>(Rational(static_cast<long>(k)) + start), objection);
     if (!proof.objection().empty() || proof.error() > room) {
       objection = proof.objection().empty() ? "the models are too inaccurate" : proof.objection();
       ends.push_back((start + piece.to) / 2);
@@ -147,37 +147,56 @@ std::string objection_to_models(IntegralCertificate& c, const Rational& room, lo
   return "";
 }
 
-/// The same, of models that are as fine as it takes.
+/// Why the joints beside formulas leave the angle more than `room`, or are none; or "".
+std::string objection_to_turns(const IntegralCertificate& c, const Rational& room) {
+  std::optional<DirectedCurve> before;
+  for (std::size_t k = 0; k < c.segments.size(); ++k) {
+    DirectedCurve curve = directed_curve(c.segments[k]);
+    const std::string objection = before ? objection_to_joint(c, k, *before, curve) : "";
+    if (!objection.empty()) return fmt::format("joint {}: {}", k, objection);
+    if (curve.turn_of_models.upper - curve.turn_of_models.lower > room)
+      return fmt::format("joint {}: the models are too inaccurate", k);
+    before = std::move(curve);
+  }
+  return "";
+}
+
+/// The pieces of all segments by formulas, of models that are as fine as it takes.
 void find_model_pieces(IntegralCertificate& c, const Rational& slack) {
-  const Rational room = slack / 4;
+  const Rational room = slack / Rational(4 * static_cast<long>(c.segments.size()));
   const long needed = std::max(0L, -binary_exponent(room));
   const long order = needed * 2 / 3 + 8;  // of models that get smaller by 3/2 bits a term
   std::string objection;
   for (long more = 48; more <= 768; more *= 2) {
-    objection = objection_to_models(c, room, order, needed + more);
+    objection.clear();
+    for (std::size_t k = 0; k < c.segments.size() && objection.empty(); ++k)
+      if (std::holds_alternative<FormulaSegment>(c.segments[k]))
+        objection = objection_to_models(c, k, room, order, needed + more);
+    if (objection.empty()) objection = objection_to_turns(c, room);
     if (objection.empty()) return;
   }
   throw Undecided("certify: " + objection);
 }
 
-/// The pieces up to t, whose bounds are no further apart than the slack.
+/// The pieces up to t of the other segments, whose bounds are no further apart than the slack.
 void find_pieces(IntegralCertificate& c, const PathParameter& end, const Rational& slack) {
-  std::vector<PieceMaker> makers;
+  std::map<std::size_t, PieceMaker> makers;
   std::optional<DirectedCurve> before;
   for (std::size_t k = 0; k <= end.segment; ++k) {
     DirectedCurve curve = directed_curve(c.segments[k]);
     if (before) objection_to_joint(c, k, *before, curve);
-    const auto f = integrand(c, k, curve);
-    makers.emplace_back(std::get<RootQuotient>(f),
-                        c.frame ? std::nullopt : std::optional(curve.multiplier));
+    if (std::holds_alternative<IntegralSegment>(c.segments[k]))
+      makers.try_emplace(k, std::get<RootQuotient>(integrand(c, k, curve)),
+                         c.frame ? std::nullopt : std::optional(curve.multiplier));
     before = std::move(curve);
   }
   for (std::size_t most = 16 * makers.size(), count = most + 1; count > most; most = 2 * count) {
     count = 0;
-    for (std::size_t k = 0; k < makers.size(); ++k) {
+    for (const auto& [k, maker] : makers) {
       const Rational room = slack / Rational(static_cast<long>(most));
-      c.segments[k].pieces = makers[k].pieces(k == end.segment ? end.t : Rational(1), room);
-      count += c.segments[k].pieces.size();
+      auto& pieces = std::get<IntegralSegment>(c.segments[k]).pieces;
+      pieces = maker.pieces(k == end.segment ? end.t : Rational(1), room);
+      count += pieces.size();
     }
     if (count <= most) return;
   }
@@ -195,11 +214,12 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
                                 bool is_zero, const Value& value, const Add& add) {
   std::optional<Rational> slack;
   PathParameter end{0, 0};
-  const std::size_t count = c.formulas ? 1 : c.segments.size();
+  const std::size_t count = c.segments.size();
+  const bool has_models = has_formulas(c);
   for (const Rational& t : at) {
     const PathParameter at_t = locate_inside(count, t);
     StatedNumber stated = stated_number(value(Place(at_t)), digits, is_zero || t == 0, spare_bits);
-    if (is_zero && c.formulas && t != 0) {
+    if (is_zero && has_models && t != 0) {
       // Models do not show that something is 0.
       stated.slack = power_of_ten(-digits);
       stated.radius = upper_bound_text(stated.slack, 1);
@@ -210,10 +230,12 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
     if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
     if (!slack || stated.slack < *slack) slack = stated.slack;
   }
-  if (c.formulas)
-    find_model_pieces(c, slack.value_or(1));
-  else if (slack)
-    find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
+  if (has_models) {
+    const Rational half = slack.value_or(1) / 2;
+    find_model_pieces(c, half);
+    slack = half;
+  }
+  if (slack) find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
   return c;
 }
 
@@ -225,6 +247,10 @@ IntegralCertificate certify(const PathAngle& angle, const std::vector<Rational>&
     throw DomainError("certify: this angle is to the Euler-Rodrigues frame");
   IntegralCertificate c = without_pieces(path);
   c.frame = angle.reference();
+  if (c.frame == Reference::frenet && c.segments.size() > 1 && has_formulas(c))
+    throw DomainError(
+        "certify: of paths with segments by formulas there is none to the Frenet frame; --frame up "
+        "has one");
   if (c.frame == Reference::up) c.up = angle.up();
   return with_claims(
       std::move(c), at, digits, angle.is_zero(),

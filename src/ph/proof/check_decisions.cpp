@@ -15,13 +15,18 @@ std::vector<StatedPoint> stated(const std::vector<RealRoot>& roots) {
   return list;
 }
 
-/// The root that is meant; none where it is not one, or an end of the interval is a root, too.
+/// The root on [0, 1] that is meant; none where it is not the only one in the interval, or an end
+/// of that is a root, too. In a long interval roots are counted sooner than isolated.
 std::optional<RealRoot> meant(const StatedPoint& point) {
   const auto& [lower, upper] = std::pair(*point.interval.lower, *point.interval.upper);
   if (lower != upper && (point.polynomial(lower) == 0 || point.polynomial(upper) == 0))
     return std::nullopt;
+  if (count_real_roots(point.polynomial, point.interval) != 1) return std::nullopt;
+  Interval part = point.interval;
+  if (lower < 0) part.lower = 0, part.lower_closed = true;
+  if (upper > 1) part.upper = 1, part.upper_closed = true;
   try {
-    return RealRoot{real_root(point.polynomial, point.interval), point.order};
+    return RealRoot{real_root(point.polynomial, part), point.order};
   } catch (const DomainError&) {
     return std::nullopt;
   }

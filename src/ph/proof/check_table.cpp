@@ -117,7 +117,7 @@ std::string objection_to_table(const Certificate& c,
 
 std::string objection_to_table(const IntegralCertificate& c,
                                const std::vector<std::vector<Rational>>& rows) {
-  if (c.formulas) return "there are none of curves by formulas";
+  if (has_formulas(c)) return "there are none of curves by formulas";
   if (c.frame != Reference::up) return "the angles are not those to the frame of a vector";
   const auto path = path_of(c);
   if (const auto* objection = std::get_if<std::string>(&path)) return *objection;

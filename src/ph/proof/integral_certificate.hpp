@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "phrame/algebra/grid_polynomial.hpp"
@@ -43,18 +45,27 @@ struct FormulaSegment {
   friend bool operator==(const FormulaSegment&, const FormulaSegment&) = default;
 };
 
+/// A part of a path.
+using CertifiedSegment = std::variant<IntegralSegment, FormulaSegment>;
+
 /// Claims about the angle of the rotation-minimizing frame to a frame, or about the length, along a
-/// path of polynomial and rational curves, and enclosures of what is integrated, which arithmetic
-/// with integers proves; or along one curve by formulas, of which the enclosures are found when
-/// they are checked: docs/certificate.md. True or not, as a Certificate.
+/// path, and enclosures of what is integrated, which arithmetic with integers proves; of segments
+/// by formulas the enclosures are found when they are checked: docs/certificate.md. True or not, as
+/// a Certificate.
 struct IntegralCertificate {
-  std::optional<Reference> frame;         ///< up or frenet; none where it is of lengths
-  Vector<Rational> up{};                  ///< v, with the frame of that
-  std::vector<IntegralSegment> segments;  ///< at least one, but for a curve by formulas
-  std::vector<AngleClaim> angles;         ///< with a frame
-  std::vector<LengthClaim> lengths;       ///< without
-  std::optional<FormulaSegment> formulas = {};
+  std::optional<Reference> frame;          ///< up or frenet; none where it is of lengths
+  Vector<Rational> up{};                   ///< v, with the frame of that
+  std::vector<CertifiedSegment> segments;  ///< at least one
+  std::vector<AngleClaim> angles;          ///< with a frame
+  std::vector<LengthClaim> lengths;        ///< without
   friend bool operator==(const IntegralCertificate&, const IntegralCertificate&) = default;
 };
+
+/// Is some segment by formulas?
+inline bool has_formulas(const IntegralCertificate& c) {
+  return std::ranges::any_of(c.segments, [](const CertifiedSegment& segment) {
+    return std::holds_alternative<FormulaSegment>(segment);
+  });
+}
 
 }  // namespace phrame

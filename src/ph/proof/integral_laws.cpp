@@ -1,5 +1,7 @@
 #include "phrame/ph/proof/integral_laws.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "phrame/algebra/error.hpp"
@@ -75,10 +77,115 @@ class VectorModels {
   TaylorModels m_;
 };
 
+/// The numbers over the greatest of their absolute values; 0 remains 0.
+Vector<TaylorModel> over_greatest(const Vector<Rational>& v, const TaylorModels& m) {
+  const Rational size = std::max({abs(v[0]), abs(v[1]), abs(v[2])});
+  const Rational most = size == 0 ? Rational(1) : size;
+  return {m.number(v[0] / most), m.number(v[1] / most), m.number(v[2] / most)};
+}
+
+/// Where a segment ends.
+struct ModelEnd {
+  Vector<TaylorModel> position;
+  Vector<TaylorModel> direction;  ///< e₁, of any length
+};
+
+/// At t = 0 or 1. Throws Undecided. Precondition: a weight is not 0 there.
+ModelEnd end_of(const CertifiedSegment& segment, const DirectedCurve& curve, long t,
+                const TaylorModels& m) {
+  ModelEnd end;
+  if (const auto* s = std::get_if<IntegralSegment>(&segment)) {
+    for (std::size_t k = 0; k < 3; ++k)
+      end.position[k] = m.number(s->position[k](t) / s->weight(t));
+    end.direction = over_greatest(evaluate(curve.direction, t), m);
+    return end;
+  }
+  const auto& formulas = std::get<FormulaSegment>(segment);
+  FormulaJets constants(m, ModelJet(1));
+  const TaylorModel from = constants.of(formulas.from)[0];
+  const TaylorModel to = constants.of(formulas.to)[0];
+  FormulaJets jets(m, {t == 0 ? from : to, m.subtract(to, from)});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ModelJet jet = jets.of(formulas.position[k]);
+    end.position[k] = jet[0];
+    end.direction[k] = m.multiply(curve.multiplier(0), jet[1]);
+  }
+  return end;
+}
+
+/// By how much the angle to the frame of v grows where the least rotation takes e₁ from along a to
+/// along b. Of unit vectors v × a becomes v × a − det(v, a, b)(a + b)/(1 + a·b), and that, times 1
+/// + a·b, has the components C and −S along v × b and b × (v × b). Throws Undecided.
+TaylorModel turn_of(const Vector<Rational>& up, const Vector<TaylorModel>& along_a,
+                    const Vector<TaylorModel>& along_b, const TaylorModels& m) {
+  const VectorModels on(m);
+  const auto unit = [&](Vector<TaylorModel> c) {
+    const TaylorModel size = m.inverse(m.sqrt(on.dot(c, c)));
+    for (TaylorModel& x : c) x = m.multiply(x, size);
+    return c;
+  };
+  const Vector<TaylorModel> a = unit(along_a);
+  const Vector<TaylorModel> b = unit(along_b);
+  const Vector<TaylorModel> v = over_greatest(up, m);
+  const TaylorModel d = on.dot(v, on.cross(a, b));
+  const TaylorModel C =
+      m.add(m.multiply(on.dot(on.cross(v, a), on.cross(v, b)), m.add(m.number(1), on.dot(a, b))),
+            m.multiply(d, d));
+  const TaylorModel S = m.multiply(d, m.add(on.dot(v, a), on.dot(v, b)));
+  const TaylorModel size = m.sqrt(m.add(m.multiply(C, C), m.multiply(S, S)));
+  return m.multiply(-2, m.atan(m.multiply(S, m.inverse(m.add(size, C)))));
+}
+
+/// Of the segments beside joint k that are by formulas the least bits of the pieces there; none if
+/// there are no such segments.
+std::optional<long> bits_of_joint(const IntegralCertificate& c, std::size_t k) {
+  std::optional<long> least;
+  for (const std::size_t j : {k - 1, k}) {
+    const auto* formulas = std::get_if<FormulaSegment>(&c.segments[j]);
+    if (formulas == nullptr) continue;
+    const auto& pieces = formulas->pieces;
+    const long bits = pieces.empty() ? 0 : j == k ? pieces.front().bits : pieces.back().bits;
+    least = std::min(bits, least.value_or(bits));
+  }
+  return least;
+}
+
+/// Of places and frames beside formulas, as far as models tell.
+std::string objection_to_joint(const IntegralCertificate& c, std::size_t k, long bits,
+                               const DirectedCurve& before, DirectedCurve& after) {
+  if (sign_before_one(before.multiplier) < 0) {
+    after.multiplier = -after.multiplier;
+    for (Polynomial& p : after.direction) p = -p;
+  }
+  const auto* a = std::get_if<IntegralSegment>(&c.segments[k - 1]);
+  if (a != nullptr && a->weight(1) == 0) return "the weight of the segment before is 0 at its end";
+  try {
+    const TaylorModels m(2, bits);
+    const ModelEnd end = end_of(c.segments[k - 1], before, 1, m);
+    const ModelEnd start = end_of(c.segments[k], after, 0, m);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const TaylorModel gap = m.subtract(start.position[axis], end.position[axis]);
+      const Integer first = gap.terms.empty() ? Integer(0) : gap.terms.front();
+      if (abs(first) + gap.radius > numerator(power_of_two(bits - bits / 2)))
+        return "the segment does not begin where the one before ends";
+    }
+    if (c.frame == Reference::frenet)
+      return "beside formulas the Frenet frame is not told to go on";
+    if (c.frame != Reference::up) return "";
+    const TaylorModel turn = turn_of(c.up, end.direction, start.direction, m);
+    const Integer first = turn.terms.empty() ? Integer(0) : turn.terms.front();
+    const Rational unit = power_of_two(-bits);
+    after.turn_of_models = {Rational(first - turn.radius) * unit,
+                            Rational(first + turn.radius) * unit};
+    return "";
+  } catch (const Undecided& error) {
+    return error.what();
+  }
+}
+
 /// What is integrated along a curve by formulas, for t = m + hz. Throws Undecided.
-TaylorModel rate_of(const IntegralCertificate& c, const TaylorModels& m, const Rational& middle,
-                    const Rational& half) {
-  const FormulaSegment& curve = c.formulas.value();
+TaylorModel rate_of(const IntegralCertificate& c, const FormulaSegment& curve, const Rational& side,
+                    const TaylorModels& m, const Rational& middle, const Rational& half) {
   const std::size_t most = !c.frame ? 1 : c.frame == Reference::up ? 2 : 3;
   FormulaJets constants(m, ModelJet(1));
   const TaylorModel from = constants.of(curve.from)[0];
@@ -108,13 +215,15 @@ TaylorModel rate_of(const IntegralCertificate& c, const TaylorModels& m, const R
   const Vector<TaylorModel> up{m.number(c.up[0]), m.number(c.up[1]), m.number(c.up[2])};
   const Vector<TaylorModel> across = v.cross(up, r[1]);
   const TaylorModel turn = m.multiply(-2, m.multiply(v.dot(up, r[1]), v.dot(across, r[2])));
-  return m.multiply(m.multiply(turn, m.inverse(v.dot(across, across))), m.inverse(root));
+  return m.multiply(
+      side, m.multiply(m.multiply(turn, m.inverse(v.dot(across, across))), m.inverse(root)));
 }
 
 }  // namespace
 
-DirectedCurve directed_curve(const IntegralSegment& segment) {
-  const auto& [X, W, square, pieces] = segment;
+DirectedCurve directed_curve(const CertifiedSegment& segment) {
+  if (std::holds_alternative<FormulaSegment>(segment)) return {Polynomial{1}, {}};
+  const auto& [X, W, square, pieces] = std::get<IntegralSegment>(segment);
   const Polynomial slope = differentiate(W);
   Vector<Polynomial> velocity = differentiate(X);
   for (std::size_t k = 0; k < 3; ++k) velocity[k] = velocity[k] * W - X[k] * slope;
@@ -128,10 +237,16 @@ DirectedCurve directed_curve(const IntegralSegment& segment) {
   return curve;
 }
 
+std::string name_of_joint(const IntegralCertificate& c, std::size_t k) {
+  const auto bits = bits_of_joint(c, k);
+  return fmt::format("joint {}", k) + (bits ? fmt::format(", to 2^-{}", *bits / 2) : "");
+}
+
 std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
                                const DirectedCurve& before, DirectedCurve& after) {
-  const IntegralSegment& a = c.segments[k - 1];
-  const IntegralSegment& b = c.segments[k];
+  if (const auto bits = bits_of_joint(c, k)) return objection_to_joint(c, k, *bits, before, after);
+  const auto& a = std::get<IntegralSegment>(c.segments[k - 1]);
+  const auto& b = std::get<IntegralSegment>(c.segments[k]);
   if (a.weight(1) == 0) return "the weight of the segment before is 0 at its end";
   if (Rational(1) / a.weight(1) * evaluate(a.position, 1) !=
       Rational(1) / b.weight(0) * evaluate(b.position, 0))
@@ -166,7 +281,7 @@ std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, 
                                                   const DirectedCurve& curve) {
   const Polynomial& f = curve.multiplier;
   const Vector<Polynomial>& H = curve.direction;
-  const IntegralSegment& segment = c.segments[k];
+  const auto& segment = std::get<IntegralSegment>(c.segments[k]);
   const Polynomial& root = segment.square;
   if (root(0) <= 0) return "square is not positive at t = 0";
   const auto [S, rest] = divide(dot(H, H), root * root);
@@ -221,7 +336,8 @@ PieceProof::PieceProof(const RootQuotient& f, const IntegralPiece& piece, const 
   integral_ = antiderivative(p);
 }
 
-PieceProof::PieceProof(const IntegralCertificate& c, const ModelPiece& piece, const Rational& start)
+PieceProof::PieceProof(const IntegralCertificate& c, const FormulaSegment& segment,
+                       const DirectedCurve& curve, const ModelPiece& piece, const Rational& start)
     : start_(start),
       middle_((start + piece.to) / 2),
       half_((piece.to - start) / 2),
@@ -233,7 +349,8 @@ PieceProof::PieceProof(const IntegralCertificate& c, const ModelPiece& piece, co
     return;
   }
   try {
-    const TaylorModel rate = rate_of(c, TaylorModels(piece.order, piece.bits), middle_, half_);
+    const TaylorModel rate = rate_of(c, segment, curve.multiplier(0),
+                                     TaylorModels(piece.order, piece.bits), middle_, half_);
     const Polynomial p = polynomial_of({rate.terms, piece.bits});
     error_ = Rational(rate.radius) * power_of_two(-piece.bits);
     size_ = sum_of_sizes(p);

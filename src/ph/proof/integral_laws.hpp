@@ -6,25 +6,6 @@ namespace phrame::inline v0 {
 
 // The laws of docs/certificate.md about integrals, exactly: what a true certificate obeys.
 
-/// W²r′ = X′W − XW′ = f·H.
-struct DirectedCurve {
-  Polynomial multiplier;         ///< f, positive for small t > 0 until it is turned over
-  Vector<Polynomial> direction;  ///< H, of integers without a common factor
-  Real turn = Rational(0);       ///< by which the angle to the frame of v grows where it begins
-};
-/// Precondition: r is not a single point.
-DirectedCurve directed_curve(const IntegralSegment& segment);
-
-/// Why the segment does not go on from the one before, with its frame; empty where it does. Turns
-/// it over where H goes on as −H, at a corner where f has changed its sign, and finds the turn of a
-/// corner.
-std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
-                               const DirectedCurve& before, DirectedCurve& after);
-
-/// What is integrated, N/(D√S); a text says why there is none.
-std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
-                                                  const DirectedCurve& curve);
-
 /// No less and no more than the integral is.
 struct IntegralBounds {
   Rational lower = 0;
@@ -34,14 +15,39 @@ struct IntegralBounds {
   }
 };
 
+/// W²r′ = X′W − XW′ = f·H. Of a curve by formulas f is 1 or −1, and e₁ = f·r′/|r′|.
+struct DirectedCurve {
+  Polynomial multiplier;         ///< f, positive for small t > 0 until it is turned over
+  Vector<Polynomial> direction;  ///< H, of integers without a common factor
+  Real turn = Rational(0);       ///< by which the angle to the frame of v grows where it begins
+  IntegralBounds turn_of_models = {};  ///< the same beside formulas
+};
+/// Precondition: r is not a single point.
+DirectedCurve directed_curve(const CertifiedSegment& segment);
+
+/// Between segments k − 1 and k. Beside formulas the name says how near to each other the ends are
+/// told to be.
+std::string name_of_joint(const IntegralCertificate& c, std::size_t k);
+/// Why the segment does not go on from the one before, with its frame; empty where it does. Turns
+/// it over where H goes on as −H, at a corner where f has changed its sign, and finds the turn of a
+/// corner.
+std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
+                               const DirectedCurve& before, DirectedCurve& after);
+
+/// What is integrated, N/(D√S); a text says why there is none. Precondition: segment k is no curve
+/// by formulas.
+std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
+                                                  const DirectedCurve& curve);
+
 /// What one piece proves.
 class PieceProof {
  public:
   /// Precondition: start < piece.to. The sign of f matters to lengths, where N/(D√S) is the rate
   /// but for that.
   PieceProof(const RootQuotient& f, const IntegralPiece& piece, const Rational& start);
-  /// The same of a curve by formulas. Precondition: c is of one.
-  PieceProof(const IntegralCertificate& c, const ModelPiece& piece, const Rational& start);
+  /// The same of a segment of c by formulas.
+  PieceProof(const IntegralCertificate& c, const FormulaSegment& segment,
+             const DirectedCurve& curve, const ModelPiece& piece, const Rational& start);
   /// Of |N/(D√S)|, N having the sign of this f.
   PieceProof& of_size(const Polynomial& multiplier);
 

@@ -30,23 +30,25 @@ RootQuotient scaled(const RootQuotient& f, const Rational& c) {
 /// What one segment proves.
 class SegmentProof {
  public:
-  /// Of a curve by formulas.
-  explicit SegmentProof(const IntegralCertificate& c) : c_(c) {
-    std::string objection = objection_to_pieces(
-        c.formulas->pieces, [&](const ModelPiece& piece) { return PieceProof(c, piece, end_); });
-    if (objection.empty() && end_ != 1) objection = "the pieces end before 1";
-    state("pieces", objection);
-  }
   SegmentProof(const IntegralCertificate& c, std::size_t k, const SegmentProof* before)
       : c_(c), k_(k), curve_(directed_curve(c.segments[k])) {
-    const Polynomial& weight = c.segments[k].weight;
-    if (!weight.is_constant())
-      state("weight",
-            unless(count_real_roots(weight, closed_interval(0, 1)) == 0, "w has a zero on [0, 1]"));
+    const auto* segment = std::get_if<IntegralSegment>(&c.segments[k]);
+    if (segment != nullptr && !segment->weight.is_constant())
+      state("weight", unless(count_real_roots(segment->weight, closed_interval(0, 1)) == 0,
+                             "w has a zero on [0, 1]"));
     if (before != nullptr) {
       const std::string objection = objection_to_joint(c, k, before->curve_, curve_);
       is_joined_ = objection.empty();
-      add({fmt::format("joint {}", k), objection});
+      add({name_of_joint(c, k), objection});
+    }
+    if (segment == nullptr) {
+      const auto& formulas = std::get<FormulaSegment>(c.segments[k]);
+      std::string objection = objection_to_pieces(formulas.pieces, [&](const ModelPiece& piece) {
+        return PieceProof(c, formulas, curve_, piece, end_);
+      });
+      if (objection.empty() && end_ != 1) objection = "the pieces end before 1";
+      state("pieces", objection);
+      return;
     }
     const auto f = integrand(c, k, curve_);
     if (const auto* objection = std::get_if<std::string>(&f)) {
@@ -55,7 +57,7 @@ class SegmentProof {
       return;
     }
     state("rate", "");
-    state("pieces", objection_to_pieces(c.segments[k].pieces, [&](const IntegralPiece& piece) {
+    state("pieces", objection_to_pieces(segment->pieces, [&](const IntegralPiece& piece) {
             PieceProof proof(std::get<RootQuotient>(f), piece, end_);
             if (proof.objection().empty() && !c_.frame) proof.of_size(curve_.multiplier);
             return proof;
@@ -67,7 +69,11 @@ class SegmentProof {
   /// Does it go on from the segment before?
   bool is_joined() const { return is_joined_; }
   /// By how much the angle grows at the joint.
-  RealBall turn(long bits) const { return curve_.turn.enclose(bits); }
+  IntegralBounds turn(long bits) const {
+    const RealBall of_corner = curve_.turn.enclose(bits);
+    IntegralBounds turn{of_corner.lower(), of_corner.upper()};
+    return turn += curve_.turn_of_models;
+  }
   /// The pieces end here.
   const Rational& end() const { return end_; }
 
@@ -129,12 +135,13 @@ class SegmentProof {
 
   /// Where the pieces are D and S have no zero.
   Series series() const {
-    if (c_.formulas) {
-      const Segment curve = curve_of(*c_.formulas);
+    if (const auto* formulas = std::get_if<FormulaSegment>(&c_.segments[k_])) {
+      const ExpressionCurve given = curve_of(*formulas);
+      const Segment curve = curve_.multiplier(0) < 0 ? given.turned_over() : given;
       if (!c_.frame) return arc_length(curve);
       return c_.frame == Reference::up ? up_frame_angle(curve, c_.up) : frenet_angle(curve);
     }
-    const IntegralSegment& segment = c_.segments[k_];
+    const auto& segment = std::get<IntegralSegment>(c_.segments[k_]);
     RationalCurve curve(segment.position, segment.weight);
     if (dot(evaluate(curve.direction(), 0), evaluate(curve_.direction, 0)) < 0)
       curve = curve.turned_over();
@@ -173,25 +180,27 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
   if (!objection.empty()) return objection;
   const long bits = 128 + (radius == 0 ? 0 : std::max(0L, -binary_exponent(radius))) +
                     std::max(0L, binary_exponent(abs(value) + 1));
-  RealBall total;
+  IntegralBounds turns;
   for (std::size_t k = 1; k < segments.size() && Rational(static_cast<long>(k)) <= t; ++k) {
     if (!segments[k].is_joined()) return fmt::format("rests on joint {}", k);
-    total = add(total, segments[k].turn(bits), bits);
+    turns += segments[k].turn(bits);
   }
-  sum += {total.lower(), total.upper()};
+  sum += turns;
   if (sum.lower < value - radius || value + radius < sum.upper)
     return "it does not follow from the pieces";
   try {
+    RealBall total = widened(RealBall((turns.lower + turns.upper) / 2, bits),
+                             RealBall((turns.upper - turns.lower) / 2, bits));
     each([&](SegmentProof& segment, const Rational& to) {
       total = add(total, segment.by_series(to, bits), bits);
     });
+    const RealBall claimed = widened(RealBall(value, bits + 64), RealBall(radius, bits + 64));
+    return unless(total.overlaps(claimed), "the series say something else");
   } catch (const Undecided& error) {
     return error.what();
   } catch (const DomainError& error) {
     return error.what();
   }
-  const RealBall claimed = widened(RealBall(value, bits + 64), RealBall(radius, bits + 64));
-  return unless(total.overlaps(claimed), "the series say something else");
 }
 
 }  // namespace
@@ -199,11 +208,7 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
 std::vector<Statement> verify(const IntegralCertificate& c) {
   std::vector<Statement> list;
   std::vector<SegmentProof> segments;
-  segments.reserve(c.segments.size() + 1);
-  if (c.formulas) {
-    segments.emplace_back(c);
-    list = segments.back().statements();
-  }
+  segments.reserve(c.segments.size());
   for (std::size_t k = 0; k < c.segments.size(); ++k) {
     segments.emplace_back(c, k, k == 0 ? nullptr : &segments.back());
     const auto& statements = segments.back().statements();
@@ -220,10 +225,15 @@ std::vector<Statement> verify(const IntegralCertificate& c) {
 
 std::variant<Path, std::string> path_of(const IntegralCertificate& c) {
   try {
-    if (c.formulas) return Path(curve_of(*c.formulas));
     std::vector<Segment> segments;
-    for (const IntegralSegment& segment : c.segments)
-      segments.emplace_back(RationalCurve(segment.position, segment.weight));
+    for (const CertifiedSegment& segment : c.segments) {
+      if (const auto* formulas = std::get_if<FormulaSegment>(&segment)) {
+        segments.emplace_back(curve_of(*formulas));
+        continue;
+      }
+      const auto& [position, weight, square, pieces] = std::get<IntegralSegment>(segment);
+      segments.emplace_back(RationalCurve(position, weight));
+    }
     return joined(std::move(segments));
   } catch (const DomainError& error) {
     return std::string(error.what());

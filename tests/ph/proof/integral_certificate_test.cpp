@@ -22,6 +22,11 @@ std::vector<std::string> objections(const IntegralCertificate& c) {
   return found;
 }
 
+template <class C>
+auto& first(C& c) {
+  return std::get<IntegralSegment>(c.segments.front());
+}
+
 }  // namespace integral_certificate_test
 
 using namespace integral_certificate_test;
@@ -40,23 +45,23 @@ TEST_CASE("certificate of a length: that of the parabola is what it is by calcul
 
 TEST_CASE("certificate of a length: a polynomial PH curve has one piece, whose rate is f sigma") {
   const IntegralCertificate c = certify_length(Path(test::quintic), {1}, 20);
-  CHECK(c.segments.front().pieces.size() == 1);
-  CHECK(c.segments.front().square.degree() == 4);
+  CHECK(first(c).pieces.size() == 1);
+  CHECK(first(c).square.degree() == 4);
   CHECK(objections(c).empty());
 }
 
 TEST_CASE("certificate of an angle: pieces that are changed, lost or of another frame do not do") {
   const IntegralCertificate c = certify(PathAngle(Path(cubic), {0, 0, 1}), {Rational(1, 3), 1}, 20);
-  REQUIRE(c.segments.front().pieces.size() > 1);
+  REQUIRE(first(c).pieces.size() > 1);
   CHECK(objections(c).empty());
   IntegralCertificate wrong = c;
-  wrong.segments.front().pieces.pop_back();
+  first(wrong).pieces.pop_back();
   CHECK(objections(wrong) == std::vector<std::string>{"the pieces of segment 0 end before t"});
   wrong = c;
-  wrong.segments.front().pieces.back().rate.terms.front() += 1L << 50;
+  first(wrong).pieces.back().rate.terms.front() += 1L << 50;
   CHECK(objections(wrong).size() == 1);
   wrong = c;
-  wrong.segments.front().pieces.front().root.terms.clear();
+  first(wrong).pieces.front().root.terms.clear();
   CHECK(objections(wrong).front() == "piece 0: the root of it is too far off");
   wrong = c;
   wrong.up = {1, 0, 1};
