@@ -9,7 +9,6 @@
 
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/offset/exact_meetings.hpp"
-#include "phrame/ph/offset/touching.hpp"
 
 namespace phrame::inline v0 {
 
@@ -124,14 +123,10 @@ void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
   std::vector<PointPair> told;
   ExactMeetings exact(offset, series);
   std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
-    std::optional<std::vector<KnownMeeting>> found = touching(offset, series, place);
-    if (!found) {
-      auto meetings = exact.between(place);
-      if (!meetings) return false;
-      for (const Crossing& x : meetings->crossings) add_once(result.found, x);
-      found = std::move(meetings->touching);
-    }
-    for (const KnownMeeting& x : *found) {
+    const auto meetings = exact.between(place);
+    if (!meetings) return false;
+    for (const Crossing& x : meetings->crossings) add_once(result.found, x);
+    for (const KnownMeeting& x : meetings->touching) {
       const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
                                       at_start(offset, {x.second_segment, x.second_t}));
       if (contains(told, pair)) continue;

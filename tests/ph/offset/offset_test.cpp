@@ -521,6 +521,69 @@ TEST_CASE(
   CHECK(apart->touching.empty());
 }
 
+// Where two of a smooth spline's quintics join, the offset turns back: 1 + dk is 0 at the end of
+// one, so that both branches leave the joint along one ray. As for two of three such quintics, the
+// second of which, w = (-3 - i)((1 - t)^2 + it^2), is (8 + 6i)i/15 long from end to end, 2/3 across
+// its tangents, which are opposite: the offset by -1/3 touches itself where it begins and ends.
+TEST_CASE("offset: joints at which it turns back, and joints at which it touches itself") {
+  const auto spline = [](const std::vector<std::array<std::vector<Rational>, 2>>& w) {
+    PhPath path{Curve({from_bernstein(w[0][0]), {}, {}, from_bernstein(w[0][1])})};
+    for (std::size_t k = 1; k < w.size(); ++k)
+      path.append(Curve({from_bernstein(w[k][0]), {}, {}, from_bernstein(w[k][1])}, {1},
+                        evaluate(position(path.segments().back()), 1)));
+    return path;
+  };
+  for (const auto& [path, d] :
+       {std::pair(spline({{{{-4, -2, 1}, {-2, -1, 1}}}, {{{1, -5, 5}, {1, -4, 1}}}}), Rational(1)),
+        std::pair(spline({{{{-1, 0, -2}, {-4, 6, 0}}}, {{{-2, 2, 4}, {0, 4, -4}}}}),
+                  Rational(-1, 3))}) {
+    const Offset turning = offset(path, d);
+    const SelfIntersections found = self_intersections(turning);
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+    CHECK(static_cast<long>(found.found.size()) == sampled_crossings(turning, 4000));
+  }
+  const SelfIntersections ends = self_intersections(offset(
+      spline(
+          {{{{-5, -4, -3}, {1, 6, -1}}}, {{{-3, 0, 1}, {-1, 0, -3}}}, {{{1, 2, 5}, {-3, 2, 1}}}}),
+      Rational(-1, 3)));
+  CHECK(ends.is_complete());
+  CHECK(ends.found.empty());
+  REQUIRE(ends.touching.size() == 1);
+  CHECK(ends.touching[0].first_segment == 1);
+  CHECK(ends.touching[0].first_t.rational() == Rational(0));
+  CHECK(ends.touching[0].second_segment == 2);
+  CHECK(ends.touching[0].second_t.rational() == Rational(0));
+}
+
+// (u^2 - 1, u^3 - u) goes through (0, 0) at u = 1 and u = -1. For y = x + cx^2 there the difference
+// y - x - cx^2 is (u - 1)^2 (u + 1)(1 - c(u + 1)), of order 3 at u = 1 for c = 1/2.
+TEST_CASE("offset: of three branches through one point two touch, or osculate, and two cross") {
+  const Polynomial u{-2, 4};
+  const Polynomial x = u * u - Polynomial{1};
+  const Polynomial v{-1, 2};
+  for (const bool crosses : {false, true}) {
+    const Rational c(crosses ? 1 : -1, 2);
+    const OffsetBranches both{
+        {RationalCurve({x, u * x, {}}), RationalCurve({v, v + c * v * v, {}})},
+        {no_segment, no_segment}};
+    const CurveSeries series = plane_series(both.curves, both.behind);
+    ExactMeetings exact(both, series);
+    const auto touching = exact.between({{0, 0.6875, 0.8125}, {1, 0.4375, 0.5625}});
+    REQUIRE(touching);
+    CHECK(touching->crossings.empty());
+    REQUIRE(touching->touching.size() == 1);
+    CHECK(touching->touching[0].first_t.rational() == Rational(3, 4));
+    CHECK(touching->touching[0].second_t.rational() == Rational(1, 2));
+    CHECK(touching->touching[0].crosses == crosses);
+    const auto crossing = exact.between({{0, 0.1875, 0.3125}, {1, 0.4375, 0.5625}});
+    REQUIRE(crossing);
+    CHECK(crossing->touching.empty());
+    REQUIRE(crossing->crossings.size() == 1);
+    CHECK(crossing->crossings[0].first_t.contains(Rational(1, 4)));
+  }
+}
+
 // Where A = t^2 + t - 1 has its root, the curves with w = A + iB and w = (A - 5iB)/7, B = 2t + 1,
 // have y = A^2 and y = -5/49 A^2, and one point: with x0 = 0 and -144/245 their x there are equal,
 // as the integrals of A^2 and B^2 from 0 to it are (-41 + 25 sqrt 5)/60 and (-1 + 5 sqrt 5)/6.
