@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "phrame/algebra/ball_order.hpp"
-#include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/eliminant.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/plane_ball.hpp"
+#include "phrame/ph/offset/coincidence.hpp"
 
 namespace phrame::inline v0 {
 
@@ -78,62 +78,27 @@ bool has_root(const Bivariate& v, const RealAlgebraic& s, const Interval& t) {
 class ExactMeetings::Pair {
  public:
   Pair(const RationalCurve& a, const RationalCurve& b)
-      : first(a), second(b), f_(gap(a, b, 0)), g_(gap(a, b, 1)) {
-    if (is_one_curve()) {
-      const Bivariate diagonal({Polynomial{0, -1}, Polynomial{1}});
-      f_ = exact_quotient(f_, diagonal);
-      g_ = exact_quotient(g_, diagonal);
-    }
-    common_ = gcd(f_, g_);
-    if (common_.is_zero()) return;
-    f_ = exact_quotient(f_, common_);
-    g_ = exact_quotient(g_, common_);
-  }
+      : first(a), second(b), equations(meeting_equations(a, b, &a == &b)) {}
 
   /// Is it one curve with itself? Then s = t is no common point.
   bool is_one_curve() const { return &first == &second; }
 
-  /// Do the curves not coincide in these parts? As curves they do where both polynomials have a
-  /// common factor. It is bilinear where each goes through its points once, and then greatest and
-  /// least at corners.
-  bool are_apart(const Interval& s, const Interval& t) const {
-    if (common_.degree() > 1 || swapped(common_).degree() > 1) return false;
-    int sign = 0;
-    for (const Rational& y : {*t.lower, *t.upper})
-      for (const Rational& x : {*s.lower, *s.upper}) {
-        const int here = evaluate_at(common_, y)(x).sign();
-        if (here == 0 || here == -sign) return false;
-        sign = here;
-      }
-    return true;
-  }
-
   const RationalCurve& first;
   const RationalCurve& second;
-  const Bivariate& f() const { return f_; }
-  const Bivariate& g() const { return g_; }
+  const MeetingEquations equations;
 
   /// @{ That in s, and that in t; nothing where it is 0 or too long. What it takes is taken of
   /// `bits`.
-  const PairEliminant* of_first(long& bits) { return made(first_, f_, g_, bits); }
+  const PairEliminant* of_first(long& bits) {
+    return made(of_first_, equations.f, equations.g, bits);
+  }
   const PairEliminant* of_second(long& bits) {
-    return made(second_, swapped(f_), swapped(g_), bits);
+    return made(of_second_, swapped(equations.f), swapped(equations.g), bits);
   }
   /// @}
 
  private:
   using Kept = std::optional<std::optional<PairEliminant>>;
-
-  /// One coordinate of P − Q, times both weights: a polynomial in t over ℚ[s].
-  static Bivariate gap(const RationalCurve& a, const RationalCurve& b, std::size_t k) {
-    const Polynomial p = a.numerator()[k];
-    const Polynomial q = b.numerator()[k];
-    const Polynomial& w = b.weight();
-    std::vector<Polynomial> rows;
-    for (long j = 0; j <= std::max(q.degree(), w.degree()); ++j)
-      rows.push_back(w.coefficient(j) * p - q.coefficient(j) * a.weight());
-    return Bivariate(rows);
-  }
 
   static const PairEliminant* made(Kept& kept, const Bivariate& f, const Bivariate& g, long& bits) {
     if (!kept) {
@@ -147,11 +112,8 @@ class ExactMeetings::Pair {
     return *kept ? &**kept : nullptr;
   }
 
-  Bivariate f_;
-  Bivariate g_;
-  Bivariate common_;  ///< a factor that both had
-  Kept first_;
-  Kept second_;
+  Kept of_first_;
+  Kept of_second_;
 };
 
 namespace {
@@ -386,7 +348,15 @@ std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& plac
   const std::size_t first = place.first.segment;
   const std::size_t second = place.second.segment;
   Pair& pair = pair_of(first, second);
-  if (!pair.are_apart(interval_of(place.first), interval_of(place.second))) return std::nullopt;
+  std::vector<Bivariate> shared;  // that is 0 where the parts coincide
+  for (const Bivariate& factor : pair.equations.shared)
+    if (may_vanish(factor, interval_of(place.first), interval_of(place.second)))
+      shared.push_back(factor);
+  if (!std::ranges::all_of(shared, is_bilinear)) return std::nullopt;
+  const auto is_never_zero = [](const Bivariate& v) {
+    return v.degree() == 0 && v.coefficient(0).degree() == 0;
+  };
+  if (is_never_zero(pair.equations.f) || is_never_zero(pair.equations.g)) return PartMeetings{};
   const PairEliminant* of_s = pair.of_first(bits_left_);
   if (of_s == nullptr) return std::nullopt;
   const std::vector<Interval> in_s = roots_in(of_s->squarefree, place.first);
@@ -408,10 +378,15 @@ std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& plac
     return pair.is_one_curve() && lower < upper &&
            count_real_roots(of_s->squarefree, open_interval(lower, upper)) > 0;
   };
+  const auto coincide = [&](const Interval& s, const Interval& t) {
+    return std::ranges::any_of(shared, [&](const Bivariate& factor) {
+      return has_root(factor, real_root(of_s->squarefree, s), t);
+    });
+  };
   PartMeetings found;
   for (const Interval& s : in_s)
     for (const Interval& t : in_t) {
-      if (are_one_place(s, t)) continue;
+      if (are_one_place(s, t) || coincide(s, t)) continue;
       const bool is_multiple = of_s->is_multiple(s) && of_t->is_multiple(t);
       const long most_bits = is_multiple ? 2 * first_cell_bits : most_cell_bits;
       const InCell simple = simple_in({s, t}, place, series_, *of_s, *of_t, most_bits);
@@ -420,7 +395,7 @@ std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& plac
       if (!is_multiple) return std::nullopt;
       const RealAlgebraic at = real_root(of_s->repeated, s);
       const QuotientRing field(at.polynomial());
-      const auto roots = common_roots(field, pair.f(), pair.g());
+      const auto roots = common_roots(field, pair.equations.f, pair.equations.g);
       if (!roots) return std::nullopt;
       if (!has_root(*roots, at, t)) continue;
       const RealAlgebraic other = real_root(of_t->repeated, t);

@@ -27,9 +27,10 @@ class ExactMeetings {
   ExactMeetings(const ExactMeetings&) = delete;
   ExactMeetings& operator=(const ExactMeetings&) = delete;
 
-  /// No value where the parts coincide somewhere, or the resultant is too long: its degree times
-  /// its bits above 2·10⁷, or of all together above 2·10⁸. Cost: one or two resultants for each
-  /// pair of curves, of degree 108 for offsets of quintics.
+  /// Of parts that coincide what they have in common elsewhere. No value where that factor of both
+  /// equations is not linear in s and t, or the resultant is too long: its degree times its bits
+  /// above 2·10⁷, or of all together above 2·10⁸. Cost: one or two resultants for each pair of
+  /// curves, of degree 108 for offsets of quintics.
   std::optional<PartMeetings> between(const UndecidedCrossing& place);
 
  private:

@@ -1,5 +1,7 @@
 #include "phrame/ph/offset/offset.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -361,12 +363,18 @@ TEST_CASE("offset: self-intersections of paths with joins are those of polygons,
   CHECK(all >= 5);
 }
 
-TEST_CASE("offset: what coincides is undecided, what touches is told, with its place") {
+TEST_CASE("offset: what coincides, and what touches, is told with its place") {
   // The line is traced there and back: its offset, too.
   const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
   const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
-  CHECK_FALSE(meeting.is_complete());
+  CHECK(meeting.is_complete());
   CHECK(meeting.found.empty());
+  CHECK(meeting.touching.empty());
+  REQUIRE(meeting.coincident.size() == 1);
+  CHECK(meeting.coincident[0].first_from == 0);
+  CHECK(meeting.coincident[0].first_to == 1);
+  CHECK(meeting.coincident[0].second_from == 1);
+  CHECK(meeting.coincident[0].second_to == 0);
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
@@ -503,22 +511,38 @@ TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
   CHECK(crossing.found.size() == exact.found.size() + 2);
 }
 
-TEST_CASE(
-    "offset: of parts of one curve it is told that they are apart, and not where they overlap") {
+// (1 + t)/2 + s, and 2s/(1 + s) with poles outside of [0, 1], for the parameter of one curve.
+TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
   const Curve curve({{1}, {}, {}, {-1, 2}});
-  const OffsetBranches both{
-      {offset(curve, 1), offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1)},
-      {no_segment, no_segment}};
-  const CurveSeries series = plane_series(both.curves, both.behind);
-  ExactMeetings exact(both, series);
-  // The second one is the first from t = 1/2 to 1/2 + 1/128.
-  const CurvePart part{1, 0.5, 0.515625};
-  CHECK_FALSE(exact.between({{0, 0.5, 0.515625}, part}));
-  CHECK_FALSE(exact.between({{0, 0.25, 0.75}, part}));
-  const auto apart = exact.between({{0, 0.515625, 0.75}, part});
-  REQUIRE(apart);
-  CHECK(apart->crossings.empty());
-  CHECK(apart->touching.empty());
+  const RationalCurve whole = offset(curve, 1);
+  // t = 2s/(1 + s) in X, Y, W, times (1 + s)^n.
+  const auto reparametrized = [&](const Polynomial& p) {
+    Polynomial sum;
+    const long n = degree(whole);
+    for (long k = 0; k <= n; ++k)
+      sum += p.coefficient(k) * pow(Polynomial{0, 2}, k) * pow(Polynomial{1, 1}, n - k);
+    return sum;
+  };
+  const auto x = whole.numerator();
+  const RationalCurve moebius({reparametrized(x[0]), reparametrized(x[1]), reparametrized(x[2])},
+                              reparametrized(whole.weight()));
+  const OffsetBranches branches{{whole, offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1),
+                                 moebius, offset(segment(curve, Rational(3, 4), 1), 1)},
+                                {no_segment, no_segment, no_segment, no_segment}};
+  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  const SelfIntersections found = self_intersections(branches, series, {});
+  CHECK(found.is_complete());
+  CHECK(found.found.empty());
+  CHECK(found.touching.empty());
+  std::vector<std::string> parts;
+  for (const CoincidentParts& c : found.coincident)
+    parts.push_back(fmt::format("{}: {} to {}, {}: {} to {}", c.first_segment,
+                                to_string(c.first_from), to_string(c.first_to), c.second_segment,
+                                to_string(c.second_from), to_string(c.second_to)));
+  // s = t/(2 - t).
+  CHECK(parts == std::vector<std::string>{"0: 0 to 1, 2: 0 to 1", "0: 1/4 to 3/4, 1: 0 to 1",
+                                          "0: 3/4 to 1, 3: 0 to 1", "1: 0 to 1, 2: 1/7 to 3/5",
+                                          "2: 3/5 to 1, 3: 0 to 1"});
 }
 
 // Where two of a smooth spline's quintics join, the offset turns back: 1 + dk is 0 at the end of
