@@ -221,6 +221,8 @@ class Trimmer {
     if (found.is_cut_off) throw Undecided(function_ + ": too many branches touch each other");
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
+      if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))
+        continue;
       const std::size_t place = classes_.add();
       const auto [s, t] = parameters(x);
       add_event(x.first_segment, s, place);
@@ -236,6 +238,18 @@ class Trimmer {
       add_touching(first, second, place);
       add_touching(second, first, place);
     }
+  }
+
+  /// Is what happens there told of an earlier piece that it coincides with?
+  bool is_repeated(std::size_t piece, const RealBall& t) const {
+    const auto is_inside = [&](const Rational& from, const Rational& to) {
+      return from < t.lower() && t.upper() < to;
+    };
+    return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
+      return x.second_segment == piece &&
+             (is_inside(x.second_from, x.second_to) ||
+              (piece >= own_ && is_inside(x.second_to, x.second_from)));
+    });
   }
 
   bool is_folded(const CurveNode& node) const {
