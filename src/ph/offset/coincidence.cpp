@@ -5,6 +5,7 @@
 #include "phrame/ph/offset/coincidence.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bivariate_factor.hpp"
@@ -70,7 +71,9 @@ class ModularCurve {
 
 /// The first two of these coordinates.
 PlaneBox plane_box(const Vector<RealBall>& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto interval = [&](std::size_t k) {
+    if (!x[k].is_finite()) return DoubleInterval{-infinity, infinity};
     return DoubleInterval{-upper_double(subtract({}, x[k], 64)), upper_double(x[k])};
   };
   return {interval(0), interval(1)};
@@ -156,8 +159,8 @@ bool may_vanish(const Bivariate& factor, const Interval& s, const Interval& t) {
   return false;
 }
 
-Coincidences::Coincidences(const OffsetBranches& branches,
-                           const std::vector<Vector<RealBall>>& boxes) {
+Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& series)
+    : turning_(series.turning) {
   const auto& curves = branches.curves;
   const Word prime = Primes().next();
   std::vector<ModularCurve> images;
@@ -166,7 +169,7 @@ Coincidences::Coincidences(const OffsetBranches& branches,
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     images.emplace_back(curves[k], prime);
-    all.push_back(plane_box(boxes[k]));
+    all.push_back(plane_box(series.boxes[k]));
     ends.push_back({box_at(curves[k], 0), box_at(curves[k], 1)});
     order.push_back(k);
     if (images[k].may_visit(images[k], 1)) add(k, k, curves);
@@ -206,12 +209,31 @@ bool Coincidences::cover(const CurveNode& a, const CurveNode& b) const {
   if (factors_.empty() || !a.is_arc() || !b.is_arc()) return false;
   if (a.first_segment > b.first_segment) return cover(b, a);
   const auto found = factors_.find({a.first_segment, b.first_segment});
-  if (found == factors_.end() || a.reversals != 0 || b.reversals != 0) return false;
+  if (found == factors_.end() || a.reversals > 1 || b.reversals > 1) return false;
   if (!is_one_way(hull_of(a.direction, b.direction)) &&
       !is_one_way(hull_of(a.direction, opposite(b.direction))))
     return false;
+  if (a.reversals + b.reversals > 0 && (a.turn == 0 || b.turn == 0)) return false;
   return std::ranges::any_of(found->second, [&](const Bivariate& factor) {
-    return may_vanish(factor, parameters(a), parameters(b));
+    return may_vanish(factor, parameters(a), parameters(b)) &&
+           (a.reversals + b.reversals < 2 || turn_back_at_once(a, b, factor));
+  });
+}
+
+/// Of two arcs that hang together and turn back once each: is that in one point?
+bool Coincidences::turn_back_at_once(const CurveNode& a, const CurveNode& b,
+                                     const Bivariate& factor) const {
+  const Interval s = parameters(a);
+  const Interval t = parameters(b);
+  const auto one = partner(swapped(factor), *t.lower);
+  const auto other = partner(swapped(factor), *t.upper);
+  if (!one || !other) return false;
+  const auto [lower, upper] = std::minmax(*one, *other);
+  const auto is_in = [](const RealAlgebraic& x, const Rational& from, const Rational& to) {
+    return compare(x, from) >= 0 && compare(x, to) <= 0;
+  };
+  return std::ranges::any_of(turning_[a.first_segment].reversals, [&](const RealAlgebraic& x) {
+    return is_in(x, *s.lower, *s.upper) && is_in(x, lower, upper);
   });
 }
 

@@ -30,16 +30,19 @@ class Coincidences {
  public:
   /// None where the factors are of higher degree. Cost: a gcd modulo a prime for each two curves
   /// of which one ends in the box of the other, and where that is not 1 the equations.
-  Coincidences(const OffsetBranches& branches, const std::vector<Vector<RealBall>>& boxes);
+  Coincidences(const OffsetBranches& branches, const CurveSeries& series);
 
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
-  /// Are arcs parts of one curve that hang together and go one way, so that all that they have in
-  /// common coincides?
+  /// Are arcs parts of one curve that hang together and go one way, or turn back once and turn one
+  /// way, so that all that they have in common coincides?
   bool cover(const CurveNode& a, const CurveNode& b) const;
 
  private:
   void add(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
 
+  bool turn_back_at_once(const CurveNode& a, const CurveNode& b, const Bivariate& factor) const;
+
+  std::vector<SegmentTurning> turning_;  ///< of all curves
   std::vector<CoincidentParts> parts_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Bivariate>> factors_;
 };

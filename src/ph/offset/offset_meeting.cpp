@@ -201,7 +201,7 @@ std::vector<Path> joined_paths(const OffsetBranches& branches) {
 
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
                                      CrossingQuery query) {
-  const Coincidences coincidences(branches, series.boxes);
+  const Coincidences coincidences(branches, series);
   query.are_idle = [&coincidences, are_idle = std::move(query.are_idle)](const CurveNode& a,
                                                                          const CurveNode& b) {
     return (are_idle && are_idle(a, b)) || coincidences.cover(a, b);

@@ -545,6 +545,23 @@ TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
                                           "2: 3/5 to 1, 3: 0 to 1"});
 }
 
+// The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
+// cusp in both parts that coincide.
+TEST_CASE("offset: parts that coincide where no box is known, and through a cusp") {
+  const Curve curve({{1, -3}, {}, {}, {0, 3}});
+  const OffsetBranches branches{{offset(curve, Rational(-3, 4)),
+                                 offset(segment(curve, 0, Rational(11, 14)), Rational(-3, 4))},
+                                {no_segment, no_segment}};
+  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  CHECK_FALSE(series.boxes[0][0].is_finite());
+  const SelfIntersections found = self_intersections(branches, series, {});
+  CHECK(found.is_complete());
+  REQUIRE(found.coincident.size() == 1);
+  CHECK(found.coincident[0].first_to == Rational(11, 14));
+  CHECK(found.coincident[0].second_to == 1);
+  CHECK(found.touching.empty());
+}
+
 // Where two of a smooth spline's quintics join, the offset turns back: 1 + dk is 0 at the end of
 // one, so that both branches leave the joint along one ray. As for two of three such quintics, the
 // second of which, w = (-3 - i)((1 - t)^2 + it^2), is (8 + 6i)i/15 long from end to end, 2/3 across
