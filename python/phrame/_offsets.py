@@ -32,6 +32,14 @@ class OffsetMeeting(NamedTuple):
     touches: bool  #: do the branches touch there, without crossing?
 
 
+class OffsetCoincidence(NamedTuple):
+    """Two parts of an offset that are one set of points."""
+
+    first: Tuple[Decimal, Decimal]  #: from t to t, the earlier one
+    second: Tuple[Decimal, Decimal]  #: the same points; backwards where it goes the other way
+    on_joins: Tuple[bool, bool]  #: are they on what joins the offsets at the corner there?
+
+
 class OffsetStretch(NamedTuple):
     """A part of an offset between neighbouring ends and cusps where it turns back."""
 

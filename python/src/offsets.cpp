@@ -123,6 +123,17 @@ nb::object offset_meetings(nb::handle self) {
   });
 }
 
+nb::object offset_coincident(nb::handle self) {
+  const auto* part = whole(self);
+  const auto range = [](const std::array<OffsetAnswer::Place, 2>& t) {
+    return nb::make_tuple(to_decimal(t[0].t.value), to_decimal(t[1].t.value));
+  };
+  return tuple_by(part == nullptr ? nullptr : &part->coincident, [&](const auto& x, std::size_t) {
+    return record("OffsetCoincidence", range(x.first), range(x.second),
+                  nb::make_tuple(x.first[0].is_join, x.second[0].is_join));
+  });
+}
+
 nb::object offset_stretches(nb::handle self) {
   const auto* part = whole(self);
   return tuple_by(part == nullptr ? nullptr : &part->stretches, [&](const auto& x, std::size_t k) {
@@ -312,11 +323,15 @@ void bind_offset(nb::module_& m) {
           "self_intersections", offset_meetings,
           nb::sig("def self_intersections(self) -> tuple[phrame._offsets.OffsetMeeting, ...]"),
           "Where it meets itself: t, on_joins, point, touches. None of one that is trimmed.")
+      .def_prop_ro(
+          "coincident", offset_coincident,
+          nb::sig("def coincident(self) -> tuple[phrame._offsets.OffsetCoincidence, ...]"),
+          "Where it runs along itself: first, second, on_joins. None of one that is trimmed.")
       .def_prop_ro("is_complete", offset_is_complete,
                    "Are these all there are, and is nothing undecided?")
       .def_prop_ro("undecided", offset_undecided,
                    nb::sig("def undecided(self) -> " PHRAME_RANGES_SIG),
-                   "Ranges of t where branches touch or coincide.")
+                   "Ranges of t where it is not told whether branches meet.")
       .def_prop_ro("stretches", offset_stretches,
                    nb::sig("def stretches(self) -> tuple[phrame._offsets.OffsetStretch, ...]"),
                    "From cusp to cusp: start, end, length.")

@@ -158,6 +158,20 @@ def test_where_an_offset_touches_itself():
     assert [x.touches for x in mirrored.offset("-1/25").self_intersections] == [False, False]
 
 
+# A cubic, around three sides to its middle, and on along it to the end a second time.
+def test_where_an_offset_runs_along_itself():
+    cubic = [["-11/24", "1/4"], ["-1/12", "-1/4"], ["2/3", 0], ["2/3", 1]]
+    part = [[0, 0], ["1/6", 0], ["1/3", "1/12"], ["11/24", "1/4"]]
+    way = [["2/3", 1], ["2/3", 2], [0, 2], [0, 0]]
+    points = [cubic, *([a, b] for a, b in zip(way, way[1:])), part]
+    path = phrame.Path.from_json(json.dumps({"phrame": "spline/1", "segments": [{"control_points": p} for p in points]}))
+    (found,) = path.offset("1/5").coincident
+    assert [round(float(t), 12) for t in found.first] == [0.333333333333, 0.666666666667]
+    assert found.second == (4, 5) and found.on_joins == (False, False)
+    answer = json.loads(path.offset("1/5").json())["offsets"][0]["self_intersections"]
+    assert answer["complete"] and len(answer["coincident"]) == 1
+
+
 def test_branches_of_what_is_trimmed():
     found = TRIANGLE.offset("-1/2", trim=True)
     (branch,) = found.branches

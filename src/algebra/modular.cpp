@@ -122,10 +122,16 @@ ModularPolynomial from_power_sums(Word prime, const std::vector<Word>& sums) {
   return series;
 }
 
-bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
+Word evaluate(const ModularPolynomial& a, Word x) { return nmod_poly_evaluate_nmod(a.raw(), x); }
+
+long common_degree(const ModularPolynomial& a, const ModularPolynomial& b) {
   ModularPolynomial common(a.prime());
   nmod_poly_gcd(common.raw(), a.raw(), b.raw());
-  return common.degree() == 0;
+  return common.degree();
+}
+
+bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
+  return common_degree(a, b) == 0;
 }
 
 // A common divisor has a leading coefficient that divides that of a: where the prime does not, it

@@ -61,6 +61,7 @@ class ModularPolynomial {
 };
 
 ModularPolynomial differentiate(const ModularPolynomial& a);
+Word evaluate(const ModularPolynomial& a, Word x);  ///< a(x)
 /// The quotient of a by tᵏ.
 ModularPolynomial shifted_down(const ModularPolynomial& a, long k);
 /// The polynomial part of q·Σ valuesᵢ·t^{−i−1}: where that series is P/q, it is P, if there are
@@ -68,6 +69,8 @@ ModularPolynomial shifted_down(const ModularPolynomial& a, long k);
 ModularPolynomial numerator_of_series(std::vector<Word> values, const ModularPolynomial& q);
 /// The monic polynomial of degree n with these power sums s₁, …, sₙ of its roots. Requires p > n.
 ModularPolynomial from_power_sums(Word prime, const std::vector<Word>& sums);
+/// The degree of the gcd; −1 where both are 0.
+long common_degree(const ModularPolynomial& a, const ModularPolynomial& b);
 /// Is the gcd 1? Requires that a and b are not both 0.
 bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b);
 /// @{ Is gcd(a, b) seen to be constant, or a to have no multiple root, modulo one prime? It is

@@ -38,7 +38,8 @@ class OffsetReport {
       : end_(std::move(end)), offset_(offset), digits_(digits), is_euclidean_(is_euclidean) {}
 
   OffsetAnswer::Part make() {
-    OffsetAnswer::Part part{offset_.distance, paths(offset_), {}, {}, {}, false, {}, {}, {}, {}};
+    OffsetAnswer::Part part{
+        offset_.distance, paths(offset_), {}, {}, {}, {}, false, {}, {}, {}, {}};
     for (const OffsetCusp& cusp : cusps(offset_))
       part.cusps.push_back({parameter(cusp.piece, cusp.t), cusp.turns_back, point(cusp)});
     add_meetings(part);
@@ -117,6 +118,14 @@ class OffsetReport {
     for (const KnownMeeting& x : found.touching)
       add_meeting(x.first_segment, enclose(x.first_t, bits), x.second_segment,
                   enclose(x.second_t, bits), !x.crosses);
+    const auto place = [&](std::size_t piece, const Rational& t) {
+      return OffsetAnswer::Place{parameter(piece, RealBall(t, bits)),
+                                 offset_.pieces[piece].is_join};
+    };
+    for (const CoincidentParts& x : found.coincident)
+      part.coincident.push_back(
+          {{place(x.first_segment, x.first_from), place(x.first_segment, x.first_to)},
+           {place(x.second_segment, x.second_from), place(x.second_segment, x.second_to)}});
     for (const UndecidedCrossing& x : found.undecided)
       part.undecided.push_back({range(x.first), range(x.second)});
     part.is_cut_off = found.is_cut_off;
@@ -339,7 +348,7 @@ std::vector<OffsetAnswer::Part> parts_of(const Rational& end, const OffsetQuery&
     const Offset offset = at(d);
     if (offset.pieces.empty())
       parts.push_back(
-          {d, {}, {}, {}, {}, false, {}, {}, measure(Rational(0), "", query.digits), {}});
+          {d, {}, {}, {}, {}, {}, false, {}, {}, measure(Rational(0), "", query.digits), {}});
     else
       parts.push_back(OffsetReport(end, offset, query.digits, !query.gauge).make());
   }

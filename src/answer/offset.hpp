@@ -48,6 +48,11 @@ struct OffsetAnswer {
     std::array<Decimal, 2> at;  ///< x and y, with radii
     bool touches = false;       ///< without crossing there?
   };
+  /// Two parts of the offset that are one set of points, as of a path that goes along itself.
+  struct Coincident {
+    std::array<Place, 2> first;   ///< from and to, the earlier part
+    std::array<Place, 2> second;  ///< the same points; backwards where it goes the other way
+  };
   /// Two parts of the offset that may meet: it is not decided.
   struct Undecided {
     std::array<Decimal, 2> first;   ///< from t to t
@@ -66,9 +71,10 @@ struct OffsetAnswer {
     /// The offset, in as few paths as possible; none where it is nothing but points, as that of an
     /// arc at the distance of its center.
     std::vector<Path> paths;
-    std::vector<Cusp> cusps;           ///< all of them
-    std::vector<Meeting> meetings;     ///< the self-intersections that are proved
-    std::vector<Undecided> undecided;  ///< where else there may be some
+    std::vector<Cusp> cusps;             ///< all of them
+    std::vector<Meeting> meetings;       ///< the self-intersections that are proved
+    std::vector<Coincident> coincident;  ///< where it runs along itself, exactly
+    std::vector<Undecided> undecided;    ///< where else it may meet itself
     bool is_cut_off;  ///< were too many parts undecided? Then there may be others anywhere
     std::vector<Rational> inner_corners;  ///< t of those where both sides cross
     std::vector<Stretch> stretches;       ///< one after the other; none under a gauge

@@ -61,7 +61,8 @@ JsonOutput json_of(const OffsetAnswer::Undecided& x) {
 std::string count_text(const Part& part) {
   const std::string count = std::to_string(part.meetings.size());
   if (part.is_cut_off) return "at least " + count + "; the rest is undecided";
-  if (part.undecided.empty()) return part.meetings.empty() ? "none" : count;
+  if (part.undecided.empty())
+    return part.meetings.empty() && part.coincident.empty() ? "none" : count;
   return fmt::format("{}, and {} undecided", count, counted(part.undecided.size(), "place"));
 }
 
@@ -74,6 +75,10 @@ Value meetings_value(const Part& part) {
                                  formula(fmt::format("({}, {})", with_minus_sign(point[0].value),
                                                      with_minus_sign(point[1].value)),
                                          notation)));
+    for (const auto& [first, second] : part.coincident)
+      list.push_back(fmt::format("coincides from {} to {} with {} to {}",
+                                 in_words(first[0], notation), in_words(first[1], notation),
+                                 in_words(second[0], notation), in_words(second[1], notation)));
     for (const auto& [first, second] : part.undecided)
       list.push_back(fmt::format("undecided near {} and {}", at(first[0].value, notation),
                                  at(second[0].value, notation)));
@@ -87,11 +92,19 @@ Value meetings_value(const Part& part) {
       if (x.touches) row["touches"] = true;
       return row;
     };
-    return JsonOutput{
+    const auto range = [](const OffsetAnswer::Coincident& x) {
+      const auto ends = [](const std::array<OffsetAnswer::Place, 2>& t) {
+        return JsonOutput{json_of(t[0]), json_of(t[1])};
+      };
+      return JsonOutput{{"first", ends(x.first)}, {"second", ends(x.second)}};
+    };
+    JsonOutput made{
         {"complete", part.undecided.empty() && !part.is_cut_off},
         {"count", part.meetings.size()},
         {"places", array_of(part.meetings, place)},
         {"undecided", array_of(part.undecided, [](const auto& x) { return json_of(x); })}};
+    if (!part.coincident.empty()) made["coincident"] = array_of(part.coincident, range);
+    return made;
   };
   return {Value::Rows(rows), json};
 }

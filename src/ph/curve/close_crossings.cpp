@@ -161,12 +161,14 @@ bool are_same(const Crossing& a, const Crossing& b) {
 
 }  // namespace
 
+bool goes_on_into(const CurveSeries& curve, std::size_t a, std::size_t b) {
+  return (curve.behind.empty() ? (a + 1) % curve.segments : curve.behind[a]) == b;
+}
+
 bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b) {
   if (a.segment == b.segment && a.lower <= b.upper && b.lower <= a.upper) return true;
   const auto goes_on = [&](const CurvePart& x, const CurvePart& y) {
-    return x.upper == 1 && y.lower == 0 &&
-           (curve.behind.empty() ? (x.segment + 1) % curve.segments : curve.behind[x.segment]) ==
-               y.segment;
+    return x.upper == 1 && y.lower == 0 && goes_on_into(curve, x.segment, y.segment);
   };
   return goes_on(a, b) || goes_on(b, a);
 }

@@ -22,6 +22,9 @@ NewtonStep newton(const PlanePosition& p, std::size_t first, const RealBall& s,
 /// The coordinates in a plane z = const.
 PlanePosition plane_position(const CurveSeries& curve);
 
+/// Is segment b what is behind segment a?
+bool goes_on_into(const CurveSeries& curve, std::size_t a, std::size_t b);
+
 /// Have two parts a point in common as parts of one curve, as a part with itself has?
 bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b);
 

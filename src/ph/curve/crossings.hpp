@@ -50,11 +50,21 @@ struct KnownMeeting {
   RealAlgebraic second_t;      ///< likewise
   bool crosses = false;        ///< of branches with one tangent: does each cross the other there?
 };
+/// Two parts of a curve that are one set of points: from and to are one point each.
+struct CoincidentParts {
+  std::size_t first_segment;   ///< the segment of one
+  Rational first_from;         ///< where it starts there
+  Rational first_to;           ///< and ends, at a greater parameter
+  std::size_t second_segment;  ///< that of the other, which is not before it
+  Rational second_from;        ///< likewise
+  Rational second_to;          ///< less than second_from where it goes the other way
+};
 /// Where a plane curve meets itself.
 struct SelfIntersections {
   /// Each once, by first place, with the sign of r′(first) × r′(second).
   std::vector<Crossing> found;
-  std::vector<KnownMeeting> touching = {};   ///< where branches of offsets have one tangent
+  std::vector<KnownMeeting> touching = {};       ///< where branches of offsets have one tangent
+  std::vector<CoincidentParts> coincident = {};  ///< and where they are one
   std::vector<UndecidedCrossing> undecided;  ///< parts of less than 2^−24 of a segment, by place
   bool is_cut_off = false;  ///< was there so much undecided that the rest was not looked at?
   bool is_complete() const { return undecided.empty() && !is_cut_off; }  ///< are these all?

@@ -2,15 +2,13 @@
 // Q, or the curve has a cusp or an event there: so between two such places one point tells for all.
 // A part that is inside one disc has none.
 //
-// Branches that coincide are lines, circles about one center, or the same curve. One does not cross
-// the other, as parallel lines do not, and the ends of each cut the other one.
+// Where branches coincide one does not cross the other, and the ends of each cut the other one.
 #include "phrame/ph/offset/boundary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
@@ -21,32 +19,6 @@ namespace {
 
 constexpr long place_bits = 320;
 constexpr long closest_place_bits = 3200;
-
-/// "x, y" that tell a line, a circle or a curve from others that it does not coincide with.
-std::string carrier_of(const RationalCurve& curve, const std::optional<Vector<Rational>>& center) {
-  const Vector<Rational> from = point(curve, 0);
-  if (center) {
-    const Vector<Rational> radius = from - *center;
-    return fmt::format("circle {} {} {}", to_string((*center)[0]), to_string((*center)[1]),
-                       to_string(dot(radius, radius)));
-  }
-  const Vector<Rational> to = point(curve, 1);
-  if (is_line(curve)) {
-    // a·x + b·y = c, of which the first coefficient that is not 0 is 1.
-    Rational a = from[1] - to[1];
-    Rational b = to[0] - from[0];
-    Rational c = a * from[0] + b * from[1];
-    const Rational unit = a != 0 ? a : b;
-    return fmt::format("line {} {} {}", to_string(a / unit), to_string(b / unit),
-                       to_string(c / unit));
-  }
-  std::array<std::string, 3> names{to_string(from[0]) + " " + to_string(from[1]),
-                                   to_string(to[0]) + " " + to_string(to[1])};
-  std::sort(names.begin(), names.begin() + 2);
-  const Vector<Rational> middle = point(curve, Rational(1, 2));
-  return fmt::format("curve {} {} {} {}", names[0], names[1], to_string(middle[0]),
-                     to_string(middle[1]));
-}
 
 /// t of the line where it crosses the other one, which is not parallel.
 Rational share_up_to(const RationalCurve& line, const RationalCurve& other) {
@@ -143,7 +115,6 @@ class Trimmer {
     add_ends();
     add_cusps();
     find_parallels();
-    find_coincidences();
     add_crossings();
     for (std::size_t k = 0; k < own_; ++k) add_edges(k);
     chain();
@@ -214,40 +185,15 @@ class Trimmer {
     return parallels_[a] != 0 && parallels_[a] == parallels_[b];
   }
 
-  void find_coincidences() {
-    std::map<std::string, std::vector<std::size_t>> carriers;
-    for (std::size_t k = 0; k < stroke_.branches.curves.size(); ++k)
-      carriers[carrier_of(stroke_.branches.curves[k], stroke_.centers[k])].push_back(k);
-    for (const auto& [name, pieces] : carriers)
-      for (const std::size_t a : pieces)
-        for (const std::size_t b : pieces)
-          if (a != b && coincide(a, b)) add_coincidence(a, b);
-  }
-
-  /// Lines and circles do, if they have one name; of other curves it is checked.
-  bool coincide(std::size_t a, std::size_t b) const {
-    const RationalCurve& p = stroke_.branches.curves[a];
-    const RationalCurve& q = stroke_.branches.curves[b];
-    if (stroke_.centers[a] || is_line(p)) return true;
-    const auto is_same = [&](const Polynomial& t) {
-      return std::ranges::all_of(std::array{0U, 1U}, [&](unsigned k) {
-        return p.numerator()[k] * compose(q.weight(), t) ==
-               compose(q.numerator()[k], t) * p.weight();
-      });
-    };
-    return is_same({0, 1}) || is_same({1, -1});
-  }
-
-  void add_coincidence(std::size_t a, std::size_t b) {
-    coincident_.insert({a, b});
-    if (a >= own_) return;
-    for (const long end : {0L, 1L}) {
-      const std::size_t place = b >= own_ ? classes_.add() : end == 0 ? starts_[b] : ends_[b];
-      for (const RealAlgebraic& t :
-           through(stroke_.branches.curves[a], point(stroke_.branches.curves[b], end),
-                   open_interval(0, 1)))
-        add_event(a, to_real(t), place);
-    }
+  /// The ends of parts that coincide, which are one point each.
+  void add_coincidences() {
+    for (const CoincidentParts& x : coincident_)
+      for (const auto& [s, t] :
+           {std::pair(x.first_from, x.second_from), std::pair(x.first_to, x.second_to)}) {
+        const std::size_t place = classes_.add();
+        add_event(x.first_segment, s, place);
+        add_event(x.second_segment, t, place);
+      }
   }
 
   void add_crossings() {
@@ -263,16 +209,20 @@ class Trimmer {
       if (stroke_.are_apart && (a.first_segment < own_) != (b.first_segment < own_) &&
           (a.first_segment < own_ ? stroke_.are_apart(a, b) : stroke_.are_apart(b, a)))
         return true;
-      return coincident_.contains({a.first_segment, b.first_segment});
+      return false;
     };
     if (stroke_.is_covered_beside)
       query.is_idle_beside = [&](const CurveNode& a, const CurveNode& b) {
         return stroke_.is_covered_beside(part_of(a), part_of(b));
       };
-    const SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
+    SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
+    coincident_ = std::move(found.coincident);
+    add_coincidences();
     if (found.is_cut_off) throw Undecided(function_ + ": too many branches touch each other");
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
+      if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))
+        continue;
       const std::size_t place = classes_.add();
       const auto [s, t] = parameters(x);
       add_event(x.first_segment, s, place);
@@ -290,6 +240,18 @@ class Trimmer {
     }
   }
 
+  /// Is what happens there told of an earlier piece that it coincides with?
+  bool is_repeated(std::size_t piece, const RealBall& t) const {
+    const auto is_inside = [&](const Rational& from, const Rational& to) {
+      return from < t.lower() && t.upper() < to;
+    };
+    return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
+      return x.second_segment == piece &&
+             (is_inside(x.second_from, x.second_to) ||
+              (piece >= own_ && is_inside(x.second_to, x.second_from)));
+    });
+  }
+
   bool is_folded(const CurveNode& node) const {
     if (!node.is_arc()) return false;
     if (stroke_.is_folded) return stroke_.is_folded(part_of(node));
@@ -300,7 +262,7 @@ class Trimmer {
   /// Where lines and circles are touched is decided by algebra.
   void add_touching(const CurvePart& part, const CurvePart& other, std::size_t place) {
     const auto& curves = stroke_.branches.curves;
-    if (part.segment >= own_ || coincident_.contains({part.segment, other.segment})) return;
+    if (part.segment >= own_) return;
     const auto found =
         meetings(curves[part.segment], part, curves[other.segment], stroke_.centers[other.segment]);
     if (!found) return add_fuzzy(part, place);
@@ -372,21 +334,11 @@ class Trimmer {
     return found;
   }
 
-  /// Is it on an earlier line, too, that goes the same way? Of mitres that shut a neck one is left.
+  /// Is it on an earlier piece, too, that goes the same way? Of what is there twice one is left.
   bool is_doubled(std::size_t piece, const Rational& t) const {
-    const RationalCurve& curve = stroke_.branches.curves[piece];
-    if (!is_line(curve)) return false;
-    const Vector<Rational> at = point(curve, t);
-    const Vector<Rational> way = point(curve, 1) - point(curve, 0);
-    for (auto pair = coincident_.lower_bound({piece, 0});
-         pair != coincident_.end() && pair->first == piece && pair->second < piece; ++pair) {
-      const RationalCurve& other = stroke_.branches.curves[pair->second];
-      const Rational start = dot(way, point(other, 0));
-      const Rational end = dot(way, point(other, 1));
-      const Rational here = dot(way, at);
-      if (start < here && here < end) return true;
-    }
-    return false;
+    return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
+      return x.second_segment == piece && x.second_from < t && t < x.second_to;
+    });
   }
 
   void add_edges(std::size_t piece) {
@@ -430,6 +382,7 @@ class Trimmer {
       return !x.is_fuzzy && x.t.exact() && x.t.exact() == events.front().t.exact();
     });
     if (!cluster.is_fuzzy() && (is_left || is_one || events.size() == 1)) return;
+    if (is_doubled(piece, cluster.lower) && is_doubled(piece, cluster.upper)) return;
     if (!is_left && stroke_.is_covered(piece, cluster.lower, cluster.upper)) return;
     result_.undecided.push_back({piece, hull(cluster.lower, cluster.upper, place_bits)});
   }
@@ -487,7 +440,7 @@ class Trimmer {
   std::vector<std::size_t> ends_;
   Classes classes_;
   std::vector<std::size_t> parallels_;  ///< one number for lines that are parallel, 0 for others
-  std::set<std::pair<std::size_t, std::size_t>> coincident_;
+  std::vector<CoincidentParts> coincident_;
   std::vector<Edge> edges_;
 };
 

@@ -67,7 +67,7 @@ struct BoundaryCurves {
 /// What is left of the curves.
 struct TrimmedCurves {
   std::vector<TrimmedBranch> branches;      ///< by the places where they start
-  std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch or coincide
+  std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch
 };
 /// They are cut at their crossings, cusps and events, all of which are found with proof; between
 /// these one rational point tells for all. Throws Undecided where so many branches touch that the

@@ -17,8 +17,9 @@ struct PartMeetings {
 /// polynomials in s and t, and all s of common points are the roots of their resultant. Where that
 /// has no root in a part, there is none, however near the curves are. Else each root s with each
 /// root t of the other resultant is a place that has one common point or none: Newton's method
-/// finds the simple ones, and of a multiple root it is decided in ℚ[s] modulo its minimal
-/// polynomial whether both polynomials have a root t in common.
+/// finds the simple ones, and of multiple roots it is decided in ℚ[s] modulo the minimal polynomial
+/// of s whether t is one of the common roots of both polynomials there. Ends that are one joint,
+/// and s = t of one curve with itself, are no common points.
 class ExactMeetings {
  public:
   ExactMeetings(const OffsetBranches& curves, const CurveSeries& series);
@@ -26,10 +27,10 @@ class ExactMeetings {
   ExactMeetings(const ExactMeetings&) = delete;
   ExactMeetings& operator=(const ExactMeetings&) = delete;
 
-  /// No value where the parts are joined, or coincide somewhere, the resultant is too long (its
-  /// degree times its bits above 2·10⁷, or of all together above 2·10⁸), or three branches meet in
-  /// one point and two of them touch. Cost: one or two resultants for each pair of curves, of
-  /// degree 108 for offsets of quintics.
+  /// Of parts that coincide what they have in common elsewhere. No value where that factor of both
+  /// equations is not linear in s and t, or the resultant is too long: its degree times its bits
+  /// above 2·10⁷, or of all together above 2·10⁸. Cost: one or two resultants for each pair of
+  /// curves, of degree 108 for offsets of quintics.
   std::optional<PartMeetings> between(const UndecidedCrossing& place);
 
  private:

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "phrame/ph/curve/close_crossings.hpp"
+#include "phrame/ph/offset/coincidence.hpp"
 #include "phrame/ph/offset/exact_meetings.hpp"
-#include "phrame/ph/offset/touching.hpp"
 
 namespace phrame::inline v0 {
 
@@ -124,14 +124,10 @@ void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
   std::vector<PointPair> told;
   ExactMeetings exact(offset, series);
   std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
-    std::optional<std::vector<KnownMeeting>> found = touching(offset, series, place);
-    if (!found) {
-      auto meetings = exact.between(place);
-      if (!meetings) return false;
-      for (const Crossing& x : meetings->crossings) add_once(result.found, x);
-      found = std::move(meetings->touching);
-    }
-    for (const KnownMeeting& x : *found) {
+    const auto meetings = exact.between(place);
+    if (!meetings) return false;
+    for (const Crossing& x : meetings->crossings) add_once(result.found, x);
+    for (const KnownMeeting& x : meetings->touching) {
       const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
                                       at_start(offset, {x.second_segment, x.second_t}));
       if (contains(told, pair)) continue;
@@ -140,6 +136,19 @@ void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
           {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
     }
     return true;
+  });
+}
+
+/// Touching where parts that coincide both start or end is no place of its own.
+void remove_common_ends(SelfIntersections& result, const OffsetBranches& offset) {
+  std::vector<PointPair> ends;
+  for (const CoincidentParts& x : result.coincident)
+    for (const auto& [s, t] :
+         {std::pair(x.first_from, x.second_from), std::pair(x.first_to, x.second_to)})
+      ends.push_back(in_order(at_start(offset, {x.first_segment, s}),
+                              at_start(offset, {x.second_segment, t})));
+  std::erase_if(result.touching, [&](const KnownMeeting& x) {
+    return contains(ends, {{x.first_segment, x.first_t}, {x.second_segment, x.second_t}});
   });
 }
 
@@ -192,6 +201,11 @@ std::vector<Path> joined_paths(const OffsetBranches& branches) {
 
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
                                      CrossingQuery query) {
+  const Coincidences coincidences(branches, series);
+  query.are_idle = [&coincidences, are_idle = std::move(query.are_idle)](const CurveNode& a,
+                                                                         const CurveNode& b) {
+    return (are_idle && are_idle(a, b)) || coincidences.cover(a, b);
+  };
   SelfIntersections result = self_intersections(series, query);
   std::vector<PointPair> pairs;
   for (const auto& [first, second] : result.undecided) {
@@ -204,6 +218,8 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     add_to(result, branches, pairs);
   }
   decide_touching(result, branches, series);
+  result.coincident = coincidences.parts();
+  remove_common_ends(result, branches);
   return result;
 }
 

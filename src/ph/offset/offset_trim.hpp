@@ -7,7 +7,7 @@ namespace phrame::inline v0 {
 struct TrimmedOffset {
   Offset offset;                            ///< all of it, with round joins or mitres
   std::vector<TrimmedBranch> branches;      ///< by the places where they start
-  std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch or coincide
+  std::vector<UndecidedStretch> undecided;  ///< mostly none: where branches touch
 };
 
 /// The offset of a path in a plane z = const, joined at corners by arcs or, where that is asked
@@ -15,10 +15,11 @@ struct TrimmedOffset {
 /// than |d|, or between a mitre and the path. That is cut at crossings of the offset with itself,
 /// with that to the other side and with the half-circles about the ends of an open path, and at
 /// cusps, all of which are found with proof; between these the distance of one rational point is
-/// compared with |d|, exactly. Where branches coincide they are at the distance |d| from both
-/// sides, and both are left. Throws DomainError as offset(), and for a path that turns back at a
-/// cusp; Undecided where so many branches touch that the search is cut off. Cost: pairs of short
-/// arcs whose boxes meet, where no point of the path is seen to be nearer.
+/// compared with |d|, exactly. Of branches that coincide both are left where they go opposite ways,
+/// as they are at the distance |d| from both sides, and one where they go the same way. Throws
+/// DomainError as offset(), and for a path that turns back at a cusp; Undecided where so many
+/// branches touch that the search is cut off. Cost: pairs of short arcs whose boxes meet, where no
+/// point of the path is seen to be nearer.
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);
 

@@ -1,5 +1,7 @@
 #include "phrame/ph/offset/offset.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -361,12 +363,18 @@ TEST_CASE("offset: self-intersections of paths with joins are those of polygons,
   CHECK(all >= 5);
 }
 
-TEST_CASE("offset: what coincides is undecided, what touches is told, with its place") {
+TEST_CASE("offset: what coincides, and what touches, is told with its place") {
   // The line is traced there and back: its offset, too.
   const Curve back({{1}, {}, {}, {}}, Polynomial{1, -2});
   const SelfIntersections meeting = self_intersections(offset(PhPath(back), 1));
-  CHECK_FALSE(meeting.is_complete());
+  CHECK(meeting.is_complete());
   CHECK(meeting.found.empty());
+  CHECK(meeting.touching.empty());
+  REQUIRE(meeting.coincident.size() == 1);
+  CHECK(meeting.coincident[0].first_from == 0);
+  CHECK(meeting.coincident[0].first_to == 1);
+  CHECK(meeting.coincident[0].second_from == 1);
+  CHECK(meeting.coincident[0].second_to == 0);
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
@@ -503,22 +511,118 @@ TEST_CASE("offset: an arc that touches the offset of a side, or nearly") {
   CHECK(crossing.found.size() == exact.found.size() + 2);
 }
 
-TEST_CASE(
-    "offset: of parts of one curve it is told that they are apart, and not where they overlap") {
+// (1 + t)/2 + s, and 2s/(1 + s) with poles outside of [0, 1], for the parameter of one curve.
+TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
   const Curve curve({{1}, {}, {}, {-1, 2}});
-  const OffsetBranches both{
-      {offset(curve, 1), offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1)},
-      {no_segment, no_segment}};
-  const CurveSeries series = plane_series(both.curves, both.behind);
-  ExactMeetings exact(both, series);
-  // The second one is the first from t = 1/2 to 1/2 + 1/128.
-  const CurvePart part{1, 0.5, 0.515625};
-  CHECK_FALSE(exact.between({{0, 0.5, 0.515625}, part}));
-  CHECK_FALSE(exact.between({{0, 0.25, 0.75}, part}));
-  const auto apart = exact.between({{0, 0.515625, 0.75}, part});
-  REQUIRE(apart);
-  CHECK(apart->crossings.empty());
-  CHECK(apart->touching.empty());
+  const RationalCurve whole = offset(curve, 1);
+  // t = 2s/(1 + s) in X, Y, W, times (1 + s)^n.
+  const auto reparametrized = [&](const Polynomial& p) {
+    Polynomial sum;
+    const long n = degree(whole);
+    for (long k = 0; k <= n; ++k)
+      sum += p.coefficient(k) * pow(Polynomial{0, 2}, k) * pow(Polynomial{1, 1}, n - k);
+    return sum;
+  };
+  const auto x = whole.numerator();
+  const RationalCurve moebius({reparametrized(x[0]), reparametrized(x[1]), reparametrized(x[2])},
+                              reparametrized(whole.weight()));
+  const OffsetBranches branches{{whole, offset(segment(curve, Rational(1, 4), Rational(3, 4)), 1),
+                                 moebius, offset(segment(curve, Rational(3, 4), 1), 1)},
+                                {no_segment, no_segment, no_segment, no_segment}};
+  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  const SelfIntersections found = self_intersections(branches, series, {});
+  CHECK(found.is_complete());
+  CHECK(found.found.empty());
+  CHECK(found.touching.empty());
+  std::vector<std::string> parts;
+  for (const CoincidentParts& c : found.coincident)
+    parts.push_back(fmt::format("{}: {} to {}, {}: {} to {}", c.first_segment,
+                                to_string(c.first_from), to_string(c.first_to), c.second_segment,
+                                to_string(c.second_from), to_string(c.second_to)));
+  // s = t/(2 - t).
+  CHECK(parts == std::vector<std::string>{"0: 0 to 1, 2: 0 to 1", "0: 1/4 to 3/4, 1: 0 to 1",
+                                          "0: 3/4 to 1, 3: 0 to 1", "1: 0 to 1, 2: 1/7 to 3/5",
+                                          "2: 3/5 to 1, 3: 0 to 1"});
+}
+
+// The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
+// cusp in both parts that coincide.
+TEST_CASE("offset: parts that coincide where no box is known, and through a cusp") {
+  const Curve curve({{1, -3}, {}, {}, {0, 3}});
+  const OffsetBranches branches{{offset(curve, Rational(-3, 4)),
+                                 offset(segment(curve, 0, Rational(11, 14)), Rational(-3, 4))},
+                                {no_segment, no_segment}};
+  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  CHECK_FALSE(series.boxes[0][0].is_finite());
+  const SelfIntersections found = self_intersections(branches, series, {});
+  CHECK(found.is_complete());
+  REQUIRE(found.coincident.size() == 1);
+  CHECK(found.coincident[0].first_to == Rational(11, 14));
+  CHECK(found.coincident[0].second_to == 1);
+  CHECK(found.touching.empty());
+}
+
+// Where two of a smooth spline's quintics join, the offset turns back: 1 + dk is 0 at the end of
+// one, so that both branches leave the joint along one ray. As for two of three such quintics, the
+// second of which, w = (-3 - i)((1 - t)^2 + it^2), is (8 + 6i)i/15 long from end to end, 2/3 across
+// its tangents, which are opposite: the offset by -1/3 touches itself where it begins and ends.
+TEST_CASE("offset: joints at which it turns back, and joints at which it touches itself") {
+  const auto spline = [](const std::vector<std::array<std::vector<Rational>, 2>>& w) {
+    PhPath path{Curve({from_bernstein(w[0][0]), {}, {}, from_bernstein(w[0][1])})};
+    for (std::size_t k = 1; k < w.size(); ++k)
+      path.append(Curve({from_bernstein(w[k][0]), {}, {}, from_bernstein(w[k][1])}, {1},
+                        evaluate(position(path.segments().back()), 1)));
+    return path;
+  };
+  for (const auto& [path, d] :
+       {std::pair(spline({{{{-4, -2, 1}, {-2, -1, 1}}}, {{{1, -5, 5}, {1, -4, 1}}}}), Rational(1)),
+        std::pair(spline({{{{-1, 0, -2}, {-4, 6, 0}}}, {{{-2, 2, 4}, {0, 4, -4}}}}),
+                  Rational(-1, 3))}) {
+    const Offset turning = offset(path, d);
+    const SelfIntersections found = self_intersections(turning);
+    CHECK(found.is_complete());
+    CHECK(found.touching.empty());
+    CHECK(static_cast<long>(found.found.size()) == sampled_crossings(turning, 4000));
+  }
+  const SelfIntersections ends = self_intersections(offset(
+      spline(
+          {{{{-5, -4, -3}, {1, 6, -1}}}, {{{-3, 0, 1}, {-1, 0, -3}}}, {{{1, 2, 5}, {-3, 2, 1}}}}),
+      Rational(-1, 3)));
+  CHECK(ends.is_complete());
+  CHECK(ends.found.empty());
+  REQUIRE(ends.touching.size() == 1);
+  CHECK(ends.touching[0].first_segment == 1);
+  CHECK(ends.touching[0].first_t.rational() == Rational(0));
+  CHECK(ends.touching[0].second_segment == 2);
+  CHECK(ends.touching[0].second_t.rational() == Rational(0));
+}
+
+// (u^2 - 1, u^3 - u) goes through (0, 0) at u = 1 and u = -1. For y = x + cx^2 there the difference
+// y - x - cx^2 is (u - 1)^2 (u + 1)(1 - c(u + 1)), of order 3 at u = 1 for c = 1/2.
+TEST_CASE("offset: of three branches through one point two touch, or osculate, and two cross") {
+  const Polynomial u{-2, 4};
+  const Polynomial x = u * u - Polynomial{1};
+  const Polynomial v{-1, 2};
+  for (const bool crosses : {false, true}) {
+    const Rational c(crosses ? 1 : -1, 2);
+    const OffsetBranches both{
+        {RationalCurve({x, u * x, {}}), RationalCurve({v, v + c * v * v, {}})},
+        {no_segment, no_segment}};
+    const CurveSeries series = plane_series(both.curves, both.behind);
+    ExactMeetings exact(both, series);
+    const auto touching = exact.between({{0, 0.6875, 0.8125}, {1, 0.4375, 0.5625}});
+    REQUIRE(touching);
+    CHECK(touching->crossings.empty());
+    REQUIRE(touching->touching.size() == 1);
+    CHECK(touching->touching[0].first_t.rational() == Rational(3, 4));
+    CHECK(touching->touching[0].second_t.rational() == Rational(1, 2));
+    CHECK(touching->touching[0].crosses == crosses);
+    const auto crossing = exact.between({{0, 0.1875, 0.3125}, {1, 0.4375, 0.5625}});
+    REQUIRE(crossing);
+    CHECK(crossing->touching.empty());
+    REQUIRE(crossing->crossings.size() == 1);
+    CHECK(crossing->crossings[0].first_t.contains(Rational(1, 4)));
+  }
 }
 
 // Where A = t^2 + t - 1 has its root, the curves with w = A + iB and w = (A - 5iB)/7, B = 2t + 1,

@@ -608,6 +608,42 @@ TEST_CASE("offset_trim: a cusp within 10^-10 of an inflection is decided by the 
   CHECK(length(0) == length(1));
 }
 
+// A loop is gone through twice, with other joints and other parameters the second time: one of both
+// is left. And a path comes back along a part of its own, in the opposite direction.
+TEST_CASE("offset_trim: paths that run along themselves") {
+  const Curve curve({{1}, {}, {}, {Rational(-1, 2), Rational(3, 2)}});
+  const auto at = [&](const Rational& t) { return evaluate(position(curve), t); };
+  const Vector<Rational> end = at(1);
+  const Vector<Rational> start = at(0);
+  const std::vector<Vector<Rational>> way{{end[0], 4, 0}, {start[0], 4, 0}, start};
+  PhPath once(curve);
+  append_lines(once, way);
+  PhPath twice = once;
+  twice.append(segment(curve, 0, Rational(1, 3)));
+  twice.append(segment(curve, Rational(1, 3), 1));
+  append_lines(twice, way);
+  for (const Rational& d : {Rational(1, 5), Rational(-1, 5)}) {
+    const auto area = [&](const PhPath& path) {
+      const TrimmedOffset found = trimmed_offset(path, d);
+      CHECK(found.undecided.empty());
+      REQUIRE(found.branches.size() == 1);
+      return round_to_decimal(*measure(path, found, found.branches[0]).area, 15).value;
+    };
+    CHECK(area(twice) == area(once));
+  }
+  const Vector<Rational> one = at(Rational(1, 3));
+  const Vector<Rational> other = at(Rational(2, 3));
+  PhPath back(curve);
+  append_lines(back, {{end[0], 2, 0}, {other[0], 2, 0}, other});
+  back.append(reversed(segment(curve, Rational(1, 3), Rational(2, 3))));
+  append_lines(back, {{one[0], -3, 0}});
+  for (const Rational& d : {Rational(1, 5), Rational(-1, 5)}) {
+    const TrimmedOffset found = trimmed_offset(back, d);
+    CHECK(found.undecided.empty());
+    check_trimmed(back, found);
+  }
+}
+
 TEST_CASE("offset_trim: what cannot be is refused") {
   const PhPath line = lines({{0, 0, 0}, {1, 0, 0}});
   CHECK_THROWS_WITH_AS(trimmed_offset(line, 0), "offset: the distance is 0", DomainError);
