@@ -69,6 +69,20 @@ void bind_classification(nb::module_& m, PathClass& path) {
           "inflections", [](const C& c) { return to_python(of_curve(c).inflections); },
           nb::sig("def inflections(self) -> " PHRAME_ROOTS_SIG), "On [0, 1], with their orders.")
       .def_prop_ro(
+          "control_cone",
+          [](const C& c) -> nb::object {
+            const auto& cone = of_curve(c).control_cone;
+            if (!cone) return nb::none();
+            return nb::make_tuple(to_python(cone->cosine_squared), cone->is_obtuse,
+                                  to_python(cone->azimuth_cosine));
+          },
+          nb::sig("def control_cone(self) -> tuple[fractions.Fraction, bool, fractions.Fraction] | "
+                  "None"),
+          "Of a cubic, cos² of the half-angle of the cone on which the first and the last leg of "
+          "its "
+          "control polygon are around the middle one, is it obtuse, and the cosine of the turn "
+          "between them.")
+      .def_prop_ro(
           "double_ph",
           [](const C& c) -> nb::object {
             const auto& found = of_curve(c).double_ph;

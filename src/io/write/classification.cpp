@@ -66,6 +66,20 @@ Fields witness(const Helix& helix) {
   return parts;
 }
 
+Field field(const ControlCone& cone) {
+  const auto words = [cone](Notation notation) {
+    return fmt::format("$L₀$ and $L₂$ on a cone around $L₁$, $\\cos²ϑ =$ {}{}, $\\cos φ =$ {}",
+                       in_words(cone.cosine_squared, notation), cone.is_obtuse ? ", $ϑ > π/2$" : "",
+                       in_words(cone.azimuth_cosine, notation));
+  };
+  const auto json = [cone]() -> JsonOutput {
+    return {{"cos_squared", phrame::json_of(cone.cosine_squared)},
+            {"obtuse", cone.is_obtuse},
+            {"cos_azimuth", phrame::json_of(cone.azimuth_cosine)}};
+  };
+  return {"control_cone", "control polygon", {Value::Words(words), json}};
+}
+
 /// ρ = constant·ω².
 Fields witness(const DoublePh& square) {
   const Field omega{"omega", "$ω =$", square.omega};
@@ -110,28 +124,31 @@ Fields fields(const Classification& c, const Curve& curve) {
   const auto& frame = c.rational_frame;
   const Field extrema{"extrema", "extrema of $ω₁$", points_or_none(c.erf_turning.extrema)};
   const Field inflections{"points", "inflections", points_or_none(c.inflections)};
-  return {json_field("degree", degree(curve)),
-          {"regular", "regular",
-           yes_or_no(c.cusps.empty(), {{"cusps", "$r′ = 0$ at", points(c.cusps, c.cusps)}})},
-          out_of_json(inflections),
-          {"inflections", "", yes_or_no(!c.inflections.empty(), {inflections})},
-          {"line", "straight line", direction("direction", c.line)},
-          {"planar", "plane curve", direction("normal", c.normal)},
-          {"helical", "helix", found(c.helix)},
-          {"double_ph", "double PH", found(c.double_ph)},
-          {"primitive", "primitive",
-           yes_or_no(is_primitive,
-                     {{"content", is_primitive ? "" : "$\\gcd(x′, y′, z′) =$", c.content}})},
-          {"erf_is_rmf", "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing)},
-          {"rrmf", "rational RMF",
-           yes_or_no(std::holds_alternative<RationalFrame>(frame),
-                     std::visit([](const auto& x) { return witness(x); }, frame))},
-          {"erf_monotone", "ERF turns one way",
-           yes_or_no(c.erf_turning.is_monotone,
-                     {{"zeros_of_h", "back at",
-                       points(c.erf_turning.zeros, odd_inside(c.erf_turning.zeros))},
-                      in_json(extrema)})},
-          out_of_json(extrema)};
+  Fields all{json_field("degree", degree(curve)),
+             {"regular", "regular",
+              yes_or_no(c.cusps.empty(), {{"cusps", "$r′ = 0$ at", points(c.cusps, c.cusps)}})},
+             out_of_json(inflections),
+             {"inflections", "", yes_or_no(!c.inflections.empty(), {inflections})},
+             {"line", "straight line", direction("direction", c.line)},
+             {"planar", "plane curve", direction("normal", c.normal)},
+             {"helical", "helix", found(c.helix)},
+             {"double_ph", "double PH", found(c.double_ph)},
+             {"primitive", "primitive",
+              yes_or_no(is_primitive,
+                        {{"content", is_primitive ? "" : "$\\gcd(x′, y′, z′) =$", c.content}})},
+             {"erf_is_rmf", "ERF is an RMF", yes_or_no(c.erf_is_rotation_minimizing)},
+             {"rrmf", "rational RMF",
+              yes_or_no(std::holds_alternative<RationalFrame>(frame),
+                        std::visit([](const auto& x) { return witness(x); }, frame))},
+             {"erf_monotone", "ERF turns one way",
+              yes_or_no(c.erf_turning.is_monotone,
+                        {{"zeros_of_h", "back at",
+                          points(c.erf_turning.zeros, odd_inside(c.erf_turning.zeros))},
+                         in_json(extrema)})},
+             out_of_json(extrema)};
+  if (c.control_cone)
+    all.insert(std::ranges::find(all, "double_ph", &Field::key), field(*c.control_cone));
+  return all;
 }
 
 /// What is true of the whole of a spline.

@@ -51,10 +51,10 @@ Vector<Formula> simple_places(const ExpressionCurve& curve, const NarrowPart& pa
 
 /// "s = 3/2*pi": the simplest place on the part, or its digits.
 std::string place_on(const ExpressionCurve& curve, const NarrowPart& part) {
-  constexpr long most_bits = 30;
+  constexpr long place_bits = 30;
   const Formula place = simple_places(curve, part)[0];
   const Formula::Step& number = place.steps().front();
-  const bool is_simple = bits_of(number.number) + bits_of(number.pi_multiple) < most_bits;
+  const bool is_simple = bits_of(number.number) + bits_of(number.pi_multiple) < place_bits;
   return fmt::format(
       "{} = {}", curve.variable(),
       is_simple ? to_string(place, curve.variable()) : to_string(constant_value(place, 64), 12));

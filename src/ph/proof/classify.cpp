@@ -45,10 +45,32 @@ void check_shape(const AnyClassification& c, const QuaternionPolynomial& a) {
   if (c.helix) check(dot(c.helix->axis, r) == c.helix->constant * sigma(a), "helix");
 }
 
+/// The first and the last leg have one angle to the middle one, and that between them by the law of
+/// cosines on the sphere.
+void check(const ControlCone& cone, const Curve& curve) {
+  const std::vector<Vector<Rational>> points = control_points(curve);
+  const auto product = [&](std::size_t j, std::size_t k) {
+    return dot(points[j + 1] - points[j], points[k + 1] - points[k]);
+  };
+  const Rational cosine_squared = cone.cosine_squared;
+  for (const std::size_t k : {0, 2}) {
+    const Rational along = product(k, 1);
+    check(along * along == cosine_squared * product(k, k) * product(1, 1) &&
+              (along < 0) == cone.is_obtuse,
+          "control cone");
+  }
+  const Rational cosine = cosine_squared + (1 - cosine_squared) * cone.azimuth_cosine;
+  const Rational between = product(0, 2);
+  check(between * between == cosine * cosine * product(0, 0) * product(2, 2) &&
+            (between < 0) == (cosine < 0),
+        "azimuth on the control cone");
+}
+
 void check(const Classification& c, const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
   check(are_all_roots(c.cusps, curve.multiplier() * sigma(a)), "cusps");
   check_shape(c, a);
+  if (c.control_cone) check(*c.control_cone, curve);
   if (c.double_ph) check(rho(a) == c.double_ph->constant * pow(c.double_ph->omega, 2), "double PH");
   Polynomial common;
   for (const Polynomial& component : hodograph_fraction(curve).numerator)
@@ -63,10 +85,17 @@ void check(const Classification& c, const Curve& curve) {
 
 Classification classify(const Curve& curve) {
   const QuaternionPolynomial& a = curve.preimage();
-  const Classification result{
-      cusps(curve),      inflections(a),    line_direction(a),        plane_normal(a),
-      helix(a),          double_ph(a),      hodograph_content(curve), twist_numerator(a).is_zero(),
-      rational_frame(a), erf_turning(curve)};
+  const Classification result{cusps(curve),
+                              inflections(a),
+                              line_direction(a),
+                              plane_normal(a),
+                              helix(a),
+                              control_cone(curve),
+                              double_ph(a),
+                              hodograph_content(curve),
+                              twist_numerator(a).is_zero(),
+                              rational_frame(a),
+                              erf_turning(curve)};
   check(result, curve);
   return result;
 }

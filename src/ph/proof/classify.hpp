@@ -1,5 +1,6 @@
 #pragma once
 #include "phrame/export.hpp"
+#include "phrame/ph/curve/control_cone.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/path.hpp"
 #include "phrame/ph/curve/shape.hpp"
@@ -10,12 +11,13 @@ namespace phrame::inline v0 {
 
 /// Of which kinds a curve is, with a witness of each: docs/classification.md.
 struct Classification {
-  std::vector<RealRoot> cusps;             ///< on [0, 1]
-  std::vector<RealRoot> inflections;       ///< on [0, 1]
-  std::optional<Vector<Rational>> line;    ///< its direction
-  std::optional<Vector<Rational>> normal;  ///< of its plane
-  std::optional<Helix> helix;              ///< with axis and angle; no value for plane curves
-  std::optional<DoublePh> double_ph;       ///< ρ as a constant times a square
+  std::vector<RealRoot> cusps;              ///< on [0, 1]
+  std::vector<RealRoot> inflections;        ///< on [0, 1]
+  std::optional<Vector<Rational>> line;     ///< its direction
+  std::optional<Vector<Rational>> normal;   ///< of its plane
+  std::optional<Helix> helix;               ///< with axis and angle; no value for plane curves
+  std::optional<ControlCone> control_cone;  ///< of a cubic
+  std::optional<DoublePh> double_ph;        ///< ρ as a constant times a square
   Polynomial content;  ///< gcd(x′, y′, z′); the hodograph is primitive where it is constant
   bool erf_is_rotation_minimizing;                              ///< h = 0
   std::variant<RationalFrame, NoRationalFrame> rational_frame;  ///< the frame, or why there is none

@@ -120,6 +120,7 @@ TEST_CASE("classify report: the LaTeX of a helix") {
 \text{straight line} &\quad \text{no} \\
 \text{plane curve} &\quad \text{no} \\
 \text{helix} &\quad \text{yes: axis $\left(1, 1, 0\right)$, $\cos^2\psi = \frac{1}{2}$, monotone} \\
+\text{control polygon} &\quad \text{$L_0$ and $L_2$ on a cone around $L_1$, $\cos^2\vartheta = \frac{1}{2}$, $\cos \varphi = -\frac{1}{3}$} \\
 \text{double PH} &\quad \text{yes: $\rho = 4\cdot\omega^2$, $\omega = 1$} \\
 \text{primitive} &\quad \text{yes} \\
 \text{ERF is an RMF} &\quad \text{no} \\
