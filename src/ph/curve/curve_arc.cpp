@@ -49,8 +49,9 @@ bool is_bounded(const PlaneBox& box) {
 }
 
 DoubleInterval difference(const DoubleInterval& x, const DoubleInterval& y) {
-  const double error = slack * (size_of(x) + size_of(y));
-  return {x.lower - y.upper - error, x.upper - y.lower + error};
+  const DoubleInterval rounded{x.lower - y.upper, x.upper - y.lower};
+  const double error = slack * size_of(rounded);
+  return {rounded.lower - error, rounded.upper + error};
 }
 
 /// A little more than a·b.
@@ -191,13 +192,18 @@ bool are_transversal(const PlaneBox& a, const PlaneBox& b) {
   return left.lower > right.upper || left.upper < right.lower;
 }
 
+// With P = P(m) + P′(m)·u + ½P″·u² at m + u: of short arcs what is across is as small as u², while
+// a box of P′ is as wide across as along, where the speed changes, as it does next to a cusp.
 bool are_apart_across(const CurveNode& a, const CurveNode& b) {
-  if (!is_bounded(a.velocity) || !is_bounded(b.velocity)) return false;
-  const std::array<double, 2> normal{-(a.velocity[1].lower / 2 + a.velocity[1].upper / 2),
-                                     a.velocity[0].lower / 2 + a.velocity[0].upper / 2};
-  // A little more than half of the parameters.
+  for (const CurveNode* node : {&a, &b})
+    if (!is_bounded(node->slope) || !is_bounded(node->bend)) return false;
+  const std::array<double, 2> normal{-(a.slope[1].lower / 2 + a.slope[1].upper / 2),
+                                     a.slope[0].lower / 2 + a.slope[0].upper / 2};
   const auto reach = [&](const CurveNode& node) {
-    return size_of(dot_product(normal, node.velocity)) * (node.upper - node.lower) * 0.5000001;
+    const double u = (node.upper - node.lower) * 0.5000001;  // a little more than half of it
+    return (size_of(dot_product(normal, node.slope)) +
+            size_of(dot_product(normal, node.bend)) * u) *
+           u;
   };
   const DoubleInterval gap = dot_product(
       normal, {difference(a.middle[0], b.middle[0]), difference(a.middle[1], b.middle[1])});
@@ -304,6 +310,8 @@ std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower
     node->box[k] = interval_of(add_product(there[k].coefficient(0), slope, step, arc_bits));
     node->velocity[k] = interval_of(add(slope, bend, arc_bits));
     node->middle[k] = interval_of(there[k].coefficient(0));
+    node->slope[k] = interval_of(there[k].coefficient(1));
+    node->bend[k] = interval_of(over[k].coefficient(2));
   }
   node->box = common_of(node->box, around);
   add_turning(*node, all, middle);

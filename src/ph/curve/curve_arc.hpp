@@ -38,6 +38,8 @@ struct CurveNode {
   PlaneBox box{};                ///< the projected part is in it
   PlaneBox velocity{};           ///< and its derivative in this one
   PlaneBox middle{};             ///< of an arc, the point in the middle of its parameters
+  PlaneBox slope{};              ///< the derivative there
+  PlaneBox bend{};               ///< half of the second derivative on the arc is in this one
   PlaneBox direction{};          ///< H is in this one
   long reversals = 0;  ///< how often it turns back; more than 1 where there is a gap in it, too
   int first_sign = 1;  ///< of p where it starts

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "phrame/algebra/ball_order.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 
@@ -15,8 +17,13 @@ namespace phrame::inline v0 {
 // cancel, would each be as wide as they are large.
 BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length, long bits) {
   const RealBall middle(t.midpoint(), 4096);
-  const BallPolynomial near = shifted(BallPolynomial(p, bits), middle, bits);
   const RealBall step = subtract(t, middle, bits);
+  const BallPolynomial all(p, bits);
+  if (step.is_zero() && length <= 2)  // by Horner's rule, faster than all coefficients
+    return truncated(BallPolynomial(std::vector{evaluate(all, middle, bits),
+                                                evaluate(differentiate(all, bits), middle, bits)}),
+                     length);
+  const BallPolynomial near = shifted(all, middle, bits);
   if (step.is_zero()) return truncated(near, length);
   const BallPolynomial shift({step, RealBall(1, bits)});
   BallPolynomial value;
@@ -29,26 +36,58 @@ BallPolynomial taylor_series(const Polynomial& p, const RealBall& t, long length
 
 namespace {
 
+/// An e with Σ|cₖ| < 2^e.
+long exponent_of_terms(const Polynomial& p) {
+  Rational sum = 0;
+  for (const Rational& c : p.coefficients()) sum += abs(c);
+  return exponent_above(RealBall(sum, 64));
+}
+
+/// So many bits, and those that p(t) loses where powers of t nearly cancel whose sum is below
+/// 2^terms. Of several p that of the greatest p(t).
+long working_bits(const std::vector<const Polynomial*>& polynomials, const RealBall& t, long terms,
+                  long bits) {
+  constexpr long most = 4096;
+  const RealBall middle(t.midpoint(), 4096);
+  for (long working = bits;; working *= 2) {
+    long size = -unbounded_exponent;
+    for (const Polynomial* p : polynomials)
+      size = std::max(size, exponent_below(evaluate(*p, middle, working)));
+    if (size != -unbounded_exponent) return bits + std::clamp(terms - size, 0L, most);
+    if (working > most) return bits;
+  }
+}
+
 /// r as r(0) + (X − r(0)W)/W. Quotients of balls are as wide as they are large: without r(0) that
 /// is the size of the curve, wherever it lies.
 struct CurveFromStart {
   Vector<Rational> start;
   Vector<Polynomial> numerator;
   Polynomial weight;
+  long terms;  ///< with 2^terms above the powers of t in W, and in the numerator over its size
 
   explicit CurveFromStart(const RationalCurve& curve)
       : start(point(curve, 0)), numerator(curve.numerator()), weight(curve.weight()) {
-    for (std::size_t k = 0; k < 3; ++k) numerator[k] -= start[k] * weight;
+    Rational size = 0;
+    for (long k = 1; k <= 8; ++k)
+      size = std::max(size, largest(point(curve, Rational(k, 8)) - start));
+    terms = exponent_of_terms(weight);
+    for (std::size_t k = 0; k < 3; ++k) {
+      numerator[k] -= start[k] * weight;
+      if (size != 0)
+        terms = std::max(terms, exponent_of_terms(numerator[k]) - binary_exponent(size));
+    }
   }
 };
 
 Vector<BallPolynomial> series_around(const CurveFromStart& curve, const RealBall& t, long length,
                                      long bits) {
-  const BallPolynomial weight = taylor_series(curve.weight, t, length, bits);
+  const long working = working_bits({&curve.weight}, t, curve.terms, bits);
+  const BallPolynomial weight = taylor_series(curve.weight, t, length, working);
   const bool is_polynomial = curve.weight == Polynomial{1};
   Vector<BallPolynomial> r;
   for (std::size_t k = 0; k < 3; ++k) {
-    r[k] = taylor_series(curve.numerator[k], t, length, bits);
+    r[k] = taylor_series(curve.numerator[k], t, length, working);
     if (!is_polynomial) r[k] = divide_series(r[k], weight, length, bits);
     r[k] = with_constant(r[k], add(r[k].coefficient(0), RealBall(curve.start[k], bits), bits));
   }
@@ -116,11 +155,24 @@ SegmentTurning turning_of(const RationalCurve& curve) {
 }
 
 /// H times a power of 4, so that it and its products are in the range of doubles.
-Vector<Polynomial> scaled_direction(const RationalCurve& curve) {
-  Vector<Polynomial> h = curve.direction();
-  const Rational scale = scale_for_doubles(largest({evaluate(h, 0), evaluate(h, 1)}));
-  for (Polynomial& x : h) x *= scale;
-  return h;
+struct ScaledDirection {
+  Vector<Polynomial> h;
+  long terms;  ///< with 2^terms above the powers of t
+
+  explicit ScaledDirection(const RationalCurve& curve) : h(curve.direction()) {
+    const Rational scale = scale_for_doubles(largest({evaluate(h, 0), evaluate(h, 1)}));
+    for (Polynomial& x : h) x *= scale;
+    terms = std::max(exponent_of_terms(h[0]), exponent_of_terms(h[1]));
+  }
+};
+
+Vector<BallPolynomial> series_around(const ScaledDirection& direction, const RealBall& t,
+                                     long length, long bits) {
+  const auto& [h, terms] = direction;
+  const long working = working_bits({&h[0], &h[1]}, t, terms, bits);
+  Vector<BallPolynomial> series;
+  for (std::size_t k = 0; k < 3; ++k) series[k] = taylor_series(h[k], t, length, working);
+  return series;
 }
 
 /// Does p vanish on [0, 1], and never change its sign inside?
@@ -173,23 +225,18 @@ CurveSeries plane_series(const std::vector<RationalCurve>& segments,
   series.segments = segments.size();
   series.behind = std::move(behind);
   std::vector<CurveFromStart> positions;
-  std::vector<Vector<Polynomial>> directions;
+  std::vector<ScaledDirection> directions;
   for (const RationalCurve& curve : segments) {
     positions.emplace_back(curve);
-    directions.push_back(scaled_direction(curve));
+    directions.emplace_back(curve);
     series.boxes.push_back(box_around(curve));
     series.turning.push_back(turning_of(curve));
   }
-  series.position = series_of_each(std::move(positions),
-                                   [](const CurveFromStart& curve, const RealBall& t, long length,
-                                      long bits) { return series_around(curve, t, length, bits); });
-  series.direction = series_of_each(
-      std::move(directions),
-      [](const Vector<Polynomial>& direction, const RealBall& t, long length, long bits) {
-        Vector<BallPolynomial> h;
-        for (std::size_t k = 0; k < 3; ++k) h[k] = taylor_series(direction[k], t, length, bits);
-        return h;
-      });
+  const auto around = [](const auto& of_segment, const RealBall& t, long length, long bits) {
+    return series_around(of_segment, t, length, bits);
+  };
+  series.position = series_of_each(std::move(positions), around);
+  series.direction = series_of_each(std::move(directions), around);
   return series;
 }
 

@@ -317,6 +317,21 @@ TEST_CASE("offset: a swallowtail, two cusps within one half-plane, meets itself 
   CHECK(again.found.size() == 1);
 }
 
+// Next to its second cusp the curvature is nearly 0, so that both branches nearly coincide there,
+// and of 64 bits the powers of t cancel most. A polygon through 6000 points of this offset, cut by
+// itself in NumPy, meets itself twice.
+TEST_CASE("offset: one of degree 33 that nearly coincides next to a cusp is decided") {
+  const Curve curve({from_bernstein({-37, -618, -375, 528, -981, -45, 260, 157, 462}),
+                     {},
+                     {},
+                     from_bernstein({270, -812, -415, 952, -430, 735, 248, -477, -70})});
+  const Offset found = offset(PhPath(curve), 1'000'000);
+  CHECK(cusps(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found.size() == 2);
+}
+
 // The numbers are those of a picture of Farouki's slides; a polygon through 6000 points of this
 // offset, cut by itself in NumPy, has as many.
 TEST_CASE("offset: one with four cusps that meets itself six times") {
