@@ -6,6 +6,7 @@
 //     ./double_reflection collection/frames mine
 //     phrame check --suite mine
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -79,18 +80,26 @@ int main(int argc, char** argv) {
     std::cerr << "double_reflection collection/frames mine\n";
     return 2;
   }
+  fs::create_directories(argv[2]);
+  std::ofstream times(fs::path(argv[2]) / "times.csv");
+  times << "name,seconds\n";
   for (const auto& entry : fs::recursive_directory_iterator(argv[1])) {
     if (entry.path().extension() != ".csv") continue;
     const std::vector<Row> rows = read_rows(entry.path());
-    const fs::path target = argv[2] / fs::relative(entry.path(), argv[1]);
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Vector> normals{rows.at(0).f2};  // where the exact frame starts
+    for (std::size_t k = 1; k < rows.size(); ++k)
+      normals.push_back(next_normal(rows[k - 1], normals.back(), rows[k]));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    fs::path name = fs::relative(entry.path(), argv[1]);
+    const fs::path target = argv[2] / name;
+    times << name.replace_extension().generic_string() << ',' << seconds.count() << '\n';
     fs::create_directories(target.parent_path());
     std::ofstream out(target);
     out.precision(17);
     out << "t,f2x,f2y,f2z\n";
-    Vector f2 = rows.at(0).f2;  // where the exact frame starts
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      if (k > 0) f2 = next_normal(rows[k - 1], f2, rows[k]);
-      out << rows[k].t << ',' << f2[0] << ',' << f2[1] << ',' << f2[2] << '\n';
-    }
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      out << rows[k].t << ',' << normals[k][0] << ',' << normals[k][1] << ',' << normals[k][2]
+          << '\n';
   }
 }

@@ -8,6 +8,7 @@ phrame check --suite. Put your own method in the place of next_normal().
 """
 import csv
 import sys
+import time
 from pathlib import Path
 
 
@@ -32,20 +33,26 @@ def next_normal(r, e1, f2, r_next, e1_next):
 
 
 def main(source, target):
+    times = ["name,seconds"]
     for file in sorted(Path(source).rglob("*.csv")):
         with open(file) as table:
             rows = [{key: float(x) for key, x in row.items()} for row in csv.DictReader(table)]
         points = [[row["x"], row["y"], row["z"]] for row in rows]
         tangents = [[row["e1x"], row["e1y"], row["e1z"]] for row in rows]
+        start = time.perf_counter()
         normals = [[rows[0]["f2x"], rows[0]["f2y"], rows[0]["f2z"]]]  # where the exact frame starts
         for k in range(1, len(rows)):
             normals.append(next_normal(points[k - 1], tangents[k - 1], normals[-1], points[k], tangents[k]))
-        out = Path(target) / file.relative_to(source)
+        seconds = time.perf_counter() - start
+        name = file.relative_to(source)
+        times.append("%s,%.9f" % (name.with_suffix("").as_posix(), seconds))
+        out = Path(target) / name
         out.parent.mkdir(parents=True, exist_ok=True)
         with open(out, "w") as table:
             print("t,f2x,f2y,f2z", file=table)
             for row, f2 in zip(rows, normals):
                 print(row["t"], *f2, sep=",", file=table)
+    (Path(target) / "times.csv").write_text("\n".join(times) + "\n")
 
 
 if __name__ == "__main__":

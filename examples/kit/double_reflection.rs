@@ -5,7 +5,7 @@
 //     rustc -O double_reflection.rs
 //     ./double_reflection collection/frames mine
 //     phrame check --suite mine
-use std::{env, fs, io, path::Path};
+use std::{env, fs, io, path::Path, time::Instant};
 
 type Vector = [f64; 3];
 
@@ -58,21 +58,25 @@ fn rows_of(text: &str) -> Vec<Row> {
         .collect()
 }
 
-fn write_frames(source: &Path, target: &Path) -> io::Result<()> {
+/// The tables below a folder; a line for each in `times`, where the folder is called `prefix`.
+fn write_frames(source: &Path, target: &Path, prefix: &str, times: &mut String) -> io::Result<()> {
     fs::create_dir_all(target)?;
     for entry in fs::read_dir(source)? {
         let path = entry?.path();
         let out = target.join(path.file_name().unwrap());
+        let name = format!("{}{}", prefix, path.file_stem().unwrap().to_str().unwrap());
         if path.is_dir() {
-            write_frames(&path, &out)?;
+            write_frames(&path, &out, &format!("{}/", name), times)?;
         } else if path.extension().is_some_and(|end| end == "csv") {
             let rows = rows_of(&fs::read_to_string(&path)?);
-            let mut f2 = rows[0].f2; // where the exact frame starts
+            let start = Instant::now();
+            let mut normals = vec![rows[0].f2]; // where the exact frame starts
+            for k in 1..rows.len() {
+                normals.push(next_normal(&rows[k - 1], normals[k - 1], &rows[k]));
+            }
+            *times += &format!("{},{:.9}\n", name, start.elapsed().as_secs_f64());
             let mut text = String::from("t,f2x,f2y,f2z\n");
-            for (k, row) in rows.iter().enumerate() {
-                if k > 0 {
-                    f2 = next_normal(&rows[k - 1], f2, row);
-                }
+            for (row, f2) in rows.iter().zip(normals) {
                 text += &format!("{},{},{},{}\n", row.t, f2[0], f2[1], f2[2]);
             }
             fs::write(out, text)?;
@@ -87,5 +91,7 @@ fn main() -> io::Result<()> {
         eprintln!("double_reflection collection/frames mine");
         std::process::exit(2);
     }
-    write_frames(Path::new(&args[1]), Path::new(&args[2]))
+    let mut times = String::from("name,seconds\n");
+    write_frames(Path::new(&args[1]), Path::new(&args[2]), "", &mut times)?;
+    fs::write(Path::new(&args[2]).join("times.csv"), times)
 }

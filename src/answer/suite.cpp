@@ -57,6 +57,10 @@ SuiteGroup group_of(const std::string& name, const std::vector<const SuiteRow*>&
     take_larger(group.max_error, row->max_error);
     take_larger(group.drift, row->drift);
     take_larger(group.holonomy, row->holonomy);
+    if (const auto seconds = row->seconds()) {
+      group.seconds = group.seconds.value_or(0) + *seconds;
+      group.timed_samples += row->samples;
+    }
     if (const auto& order = row->convergence.order) orders.push_back(approximate(*order));
   }
   group.order = median(std::move(orders));
@@ -66,12 +70,13 @@ SuiteGroup group_of(const std::string& name, const std::vector<const SuiteRow*>&
 }  // namespace
 
 SuiteRow suite_row(const std::string& name, const std::string& group,
-                   const std::vector<CheckAnswer>& tables) {
+                   const std::vector<SuiteTable>& tables) {
   std::vector<StepError> steps;
   const CheckAnswer* finest = nullptr;
   Rational least;
-  for (const CheckAnswer& table : tables) {
+  for (const auto& [table, seconds] : tables) {
     steps.push_back(step_error(table.frames, table.verdict));
+    steps.back().seconds = seconds;
     if (finest == nullptr || steps.back().step <= least) {
       finest = &table;
       least = steps.back().step;
@@ -89,6 +94,10 @@ SuiteRow suite_row(const std::string& name, const std::string& group,
           verdict.drift,
           holonomy_error(*finest),
           convergence(std::move(steps))};
+}
+
+std::optional<Rational> SuiteRow::seconds() const {
+  return convergence.steps.empty() ? std::nullopt : convergence.steps.back().seconds;
 }
 
 bool SuiteAnswer::passes() const {

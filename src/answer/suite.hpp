@@ -20,11 +20,20 @@ struct SuiteRow {
   /// Of a closed curve with frames at both ends, in [−π, π]: by how much the holonomy is off.
   std::optional<RealBall> holonomy = std::nullopt;
   Convergence convergence = {};  ///< over all tables of the curve
+
+  /// That the table with the least step took to compute, where it is told.
+  std::optional<Rational> seconds() const;
+};
+
+/// A table for a curve of it.
+struct SuiteTable {
+  CheckAnswer found;
+  std::optional<Rational> seconds;  ///< that it took to compute; no value where it is not told
 };
 
 /// The row of these tables: at least one, with the frames of one curve.
 SuiteRow suite_row(const std::string& name, const std::string& group,
-                   const std::vector<CheckAnswer>& tables);
+                   const std::vector<SuiteTable>& tables);
 
 /// How the errors of a method fall on one curve.
 struct OrderAnswer {
@@ -55,6 +64,9 @@ struct SuiteGroup {
   std::optional<Rational> holonomy = std::nullopt;
   /// The median of the orders; no value where no row has one.
   std::optional<double> order = std::nullopt;
+  /// Of all tables with the least step of which it is told, which have so many frames.
+  std::optional<Rational> seconds = std::nullopt;
+  std::size_t timed_samples = 0;
 };
 
 /// Of each group, in their order, and of all.

@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "phrame/cli/certified.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/write/certificate.hpp"
@@ -35,20 +36,12 @@ std::string certified(const IntegralCertificate& c, const NamedPath& named) {
   return write_certificate(with_canonical_formulas(c), named.name);
 }
 
-void run(const CertifyOptions& options) {
-  std::optional<Reference> asked;
-  if (!options.frame.empty()) asked = chosen_reference(options.frame);
-  CurveOptions curve = options.curve;
-  curve.is_for_frames = !options.of_length;
-  const NamedPath named = curve.read_any_path();
+/// Of the angle to the frame asked for, or of v.
+std::string certified(const NamedPath& named, const std::vector<Rational>& at,
+                      const std::optional<Reference>& asked,
+                      const std::optional<Vector<Rational>>& v, const CertifyOptions& options) {
   const Path& path = named.path;
   const auto ph = with_preimages(named);
-  require_reference(asked, options.up, path);
-  std::vector<Rational> at = options.parameters.fractions_on(named);
-  if (at.empty()) at.push_back(path.end());
-  const auto write = [&](const std::string& text) { write_output(options.curve.output, text); };
-  if (options.of_length) return write(certified(certify_length(path, at, options.digits), named));
-  const auto v = options.up.chosen(path);
   // Of rational PH curves, too, which other angles are not measured from by themselves.
   const Reference reference =
       ph && !v && !asked ? Reference::euler_rodrigues : reference_of(path, v, asked);
@@ -58,11 +51,33 @@ void run(const CertifyOptions& options) {
                      "this is of paths of PH curves, by the angle to the Euler-Rodrigues frame");
   if (reference == Reference::euler_rodrigues ||
       (reference == Reference::frenet && ph && ph->path.is_curve()))
-    return write(certified(ph.value(), reference, at, options));
-  write(certified(certify(angle_to(v, path, asked), at, options.digits), named));
+    return certified(ph.value(), reference, at, options);
+  return certified(certify(angle_to(v, path, asked), at, options.digits), named);
+}
+
+void run(const CertifyOptions& options) {
+  std::optional<Reference> asked;
+  if (!options.frame.empty()) asked = chosen_reference(options.frame);
+  CurveOptions curve = options.curve;
+  curve.is_for_frames = !options.of_length;
+  const NamedPath named = curve.read_any_path();
+  const Path& path = named.path;
+  require_reference(asked, options.up, path);
+  std::vector<Rational> at = options.parameters.fractions_on(named);
+  if (at.empty()) at.push_back(path.end());
+  const auto write = [&](const std::string& text) { write_output(options.curve.output, text); };
+  if (options.of_length) return write(certified(certify_length(path, at, options.digits), named));
+  write(certified(named, at, asked, options.up.chosen(path), options));
 }
 
 }  // namespace
+
+std::string angle_certificate(const NamedPath& named, const std::vector<Rational>& at,
+                              long digits) {
+  CertifyOptions options;
+  options.digits = digits;
+  return certified(named, at, std::nullopt, std::nullopt, options);
+}
 
 void add_certify(Program& program) {
   Command& command = program.add("certify", "angles with a proof that others can check");

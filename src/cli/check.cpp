@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "phrame/algebra/as_written.hpp"
@@ -11,6 +12,8 @@
 #include "phrame/cli/exchange.hpp"
 #include "phrame/cli/given_frames.hpp"
 #include "phrame/io/better_reading.hpp"
+#include "phrame/io/read/computing_times.hpp"
+#include "phrame/io/read/number.hpp"
 #include "phrame/io/sifted_frames.hpp"
 #include "phrame/io/write/check.hpp"
 #include "phrame/io/write/names.hpp"
@@ -129,39 +132,76 @@ std::optional<Report> report_by_few(const Command& command, const NamedPath& nam
   }
 }
 
+/// A table in a folder.
+struct TableFile {
+  std::string path;
+  std::optional<Rational> seconds;  ///< that it took to compute, where the folder has times
+};
+
+/// What DIR/times.csv tells, by the paths of tables in the folder without their endings; nothing
+/// where it is not there.
+std::map<std::string, ComputingTime> times_in(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  try {
+    return computing_times(read_file(file));
+  } catch (const InputError& failure) {
+    if (failure.place() == file) throw;
+    throw InputError(file + ":" + failure.place(), failure.reason());
+  }
+}
+
 /// The tables in a folder, and in the folders there, by their names without endings.
-std::map<std::string, std::vector<std::string>> tables_in(const std::string& option,
-                                                          const std::string& folder) {
+std::map<std::string, std::vector<TableFile>> tables_in(const std::string& option,
+                                                        const std::string& folder) {
   if (Exchange::current() != nullptr)
     throw InputError(option, "a folder has no place in a line of a batch");
   namespace fs = std::filesystem;
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw InputError(folder, "is no folder");
-  std::map<std::string, std::vector<std::string>> tables;
+  const fs::path times_path = fs::path(folder) / "times.csv";
+  const auto times = times_in(times_path.string());
+  std::set<std::string> timed;
+  std::map<std::string, std::vector<TableFile>> tables;
   for (fs::recursive_directory_iterator at(folder, error), end; at != end; at.increment(error)) {
     const std::string ending = at->path().extension().string();
-    if (ending == ".csv" || ending == ".npy" || ending == ".txt")
-      tables[at->path().stem().string()].push_back(at->path().string());
+    if (at->path() == times_path || (ending != ".csv" && ending != ".npy" && ending != ".txt"))
+      continue;
+    const std::string name =
+        at->path().lexically_relative(folder).replace_extension().generic_string();
+    const auto time = times.find(name);
+    TableFile& table = tables[at->path().stem().string()].emplace_back();
+    table.path = at->path().string();
+    if (time == times.end()) continue;
+    table.seconds = time->second.seconds;
+    timed.insert(name);
   }
   if (tables.empty()) throw InputError(folder, "no tables are in it: .csv, .npy or .txt");
-  for (auto& [name, files] : tables) std::sort(files.begin(), files.end());
+  for (const auto& [name, time] : times)
+    if (!timed.contains(name))
+      throw InputError(times_path.string() + ":" + line_place(time.line),
+                       fmt::format("no table \"{}\" is in the folder", abbreviated(name)));
+  for (auto& [name, files] : tables)
+    std::sort(files.begin(), files.end(),
+              [](const TableFile& a, const TableFile& b) { return a.path < b.path; });
   return tables;
 }
 
 /// Of the tables for one curve of the collection; t is ours.
 SuiteRow suite_row_of(const Command& command, const CheckOptions& options,
-                      const CollectedCurve& curve, const std::vector<std::string>& files,
+                      const CollectedCurve& curve, const std::vector<TableFile>& files,
                       const FrameCheckOptions& measure) {
   try {
     const NamedPath named = curve.path();
-    std::vector<CheckAnswer> answers;
-    for (const std::string& file : files) {
+    std::vector<SuiteTable> tables;
+    for (const auto& [file, seconds] : files) {
       FrameReading reading = cli::reading(command, options);
-      answers.push_back(
-          checked(command, named, read_file(file), file, ParameterKind::t, measure, reading)
-              .answer);
+      tables.push_back(
+          {checked(command, named, read_file(file), file, ParameterKind::t, measure, reading)
+               .answer,
+           seconds});
     }
-    return suite_row(curve.name, curve.group, answers);
+    return suite_row(curve.name, curve.group, tables);
   } catch (const Error& error) {
     return SuiteRow{curve.name, curve.group, error.what()};
   }
@@ -193,7 +233,7 @@ void run_suite(const Command& command, const CheckOptions& options) {
     tables.erase(files);
   }
   if (!tables.empty())
-    throw InputError(tables.begin()->second.front(),
+    throw InputError(tables.begin()->second.front().path,
                      "no curve of the collection has this name (phrame reference --list)");
   options.length.write(options.curve.output, print(found));
   if (!found.passes()) throw AnswerNo{};
@@ -212,10 +252,11 @@ void run_order(const Command& command, const CheckOptions& options) {
   require_parameter(named.path, *by);
   std::vector<StepError> steps;
   for (const auto& [name, files] : tables_in("--order", options.frames))
-    for (const std::string& file : files) {
+    for (const auto& [file, seconds] : files) {
       FrameReading reading = cli::reading(command, options);
       const Checked table = checked(command, named, read_file(file), file, by, measure, reading);
       steps.push_back(step_error(table.answer.frames, table.answer.verdict));
+      steps.back().seconds = seconds;
     }
   options.length.write(options.curve.output,
                        print(OrderAnswer{named.name, convergence(std::move(steps))}));
@@ -268,7 +309,8 @@ void add_check(Program& program) {
                                 "a table of frames (text, JSON or .npy), \"-\" for standard input");
   command.add_flag("--suite", options->is_suite,
                    "CURVE is a folder of tables for the reference collection, NAME.csv, .npy or\n"
-                   ".txt, those at several steps in folders there; one report on all of them");
+                   ".txt, those at several steps in folders there; one report on all of them,\n"
+                   "with the seconds that each took where DIR/times.csv tells them");
   command.add_flag("--order", options->is_order,
                    "FRAMES is a folder of tables of one method at several steps: how fast its\n"
                    "errors fall");

@@ -7,12 +7,18 @@
 #include <fstream>
 
 #include "phrame/algebra/progress.hpp"
+#include "phrame/cli/certified.hpp"
 #include "phrame/cli/collection.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/prepared_threads.hpp"
+#include "phrame/io/read/certificate_file.hpp"
 #include "phrame/io/read/json_node.hpp"
 #include "phrame/io/write/frame_table.hpp"
 #include "phrame/io/write/text.hpp"
+#include "phrame/ph/along/path_angle.hpp"
+#include "phrame/ph/proof/path_certificate.hpp"
+#include "phrame/ph/proof/verify.hpp"
+#include "phrame/ph/proof/verify_integral.hpp"
 
 namespace phrame::inline v0::cli {
 namespace {
@@ -25,6 +31,7 @@ struct ReferenceOptions {
   bool is_list = false;
   std::string folder;
   std::vector<std::string> samples;
+  bool has_certificates = false;
   std::string output = "-";
 };
 
@@ -142,6 +149,77 @@ std::vector<long> sample_counts(const std::vector<std::string>& lists) {
   return counts;
 }
 
+/// As one that reads it without --unlimited finds. Throws InputError where that is too much work.
+bool is_accepted(const std::string& certificate) {
+  return std::visit(
+      [](const auto& named) {
+        return std::ranges::all_of(verify(named.certificate),
+                                   [](const Statement& x) { return x.is_proved(); });
+      },
+      read_any_certificate(certificate));
+}
+
+/// A certificate of the angle at the t of a curve's values, or why there is none there.
+struct CurveCertificate {
+  std::string text;    ///< may be empty
+  std::string reason;  ///< of the curve, or of some t; may be empty
+};
+
+/// To 50 digits, or to five less, and so on, until phrame verify takes it. Throws InputError where
+/// it does not, and as certify().
+std::string accepted_certificate(const NamedPath& named, const std::vector<Rational>& at) {
+  for (long digits = 50;; digits -= 5) try {
+      std::string text = angle_certificate(named, at, digits);
+      if (!is_accepted(text)) throw Undecided("phrame verify does not prove it");
+      return text;
+    } catch (const InputError&) {
+      if (digits <= 5) throw;
+    }
+}
+
+/// Without the t at which the angle is not told from 0 by 1024 bits: it may be 0, and then rounding
+/// it does not end.
+CurveCertificate certificate_of(const CollectedCurve& curve) try {
+  const NamedPath named = curve.path();
+  const PathAngle angle = angle_to(std::nullopt, named.path);
+  std::vector<Rational> at;
+  std::vector<std::string> left_out;
+  const JsonNode expected = JsonNode(curve.json).at("expected").at("at");
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const Rational t = expected.item(k).number();
+    const Real theta = angle.value(t);
+    if (theta.exact() || !theta.enclose(1024).contains(Rational(0)))
+      at.push_back(t);
+    else
+      left_out.push_back(expected.item(k).text());
+  }
+  CurveCertificate found{accepted_certificate(named, at), ""};
+  if (!left_out.empty())
+    found.reason =
+        fmt::format("no certificate at t = {}: the angle is not told from 0 by 1024 bits",
+                    fmt::join(left_out, ", "));
+  return found;
+} catch (const Error& error) {
+  return {"", std::string("no certificate: ") + error.what()};
+}
+
+/// Gives the curves that have no certificate, or none at some t, with the reasons.
+std::vector<std::string> write_certificates(const std::vector<CollectedCurve>& curves,
+                                            const fs::path& folder) {
+  fs::create_directories(folder);
+  std::vector<std::string> reasons(curves.size());
+  Stage stage("certificates", curves.size());
+  const PreparedThreads prepared;
+  oneapi::tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t k) {
+    const CurveCertificate found = certificate_of(curves[k]);
+    if (!found.text.empty()) write_plainly(folder / (curves[k].name + ".json"), found.text);
+    if (!found.reason.empty()) reasons[k] = fmt::format("{}: {}", curves[k].name, found.reason);
+    stage.advance();
+  });
+  std::erase(reasons, "");
+  return reasons;
+}
+
 void write_collection(const std::vector<CollectedCurve>& curves, const std::vector<long>& counts,
                       const fs::path& folder) {
   fs::create_directories(folder / "curves");
@@ -168,7 +246,7 @@ void write_collection(const std::vector<CollectedCurve>& curves, const std::vect
 
 /// All or nothing: the folder has another name until it is whole.
 void export_collection(const std::vector<CollectedCurve>& curves, const std::vector<long>& counts,
-                       const std::string& target) {
+                       const std::string& target, bool has_certificates) {
   std::error_code error;
   if (fs::exists(target, error) &&
       !(fs::is_directory(target, error) && fs::is_empty(target, error)))
@@ -177,7 +255,10 @@ void export_collection(const std::vector<CollectedCurve>& curves, const std::vec
       (fs::path(target) / "").parent_path().string() + fmt::format(".{}.part", getpid());
   try {
     write_collection(curves, counts, draft);
+    std::vector<std::string> notes;
+    if (has_certificates) notes = write_certificates(curves, draft / "certificates");
     fs::rename(draft, target);
+    for (const std::string& text : notes) note(text);
   } catch (const fs::filesystem_error& failure) {
     fs::remove_all(draft, error);
     throw InputError(target, "cannot be written: " + failure.code().message());
@@ -190,7 +271,8 @@ void export_collection(const std::vector<CollectedCurve>& curves, const std::vec
 void run(const ReferenceOptions& options) {
   const auto curves = chosen_curves(options);
   if (!options.folder.empty())
-    return export_collection(curves, sample_counts(options.samples), options.folder);
+    return export_collection(curves, sample_counts(options.samples), options.folder,
+                             options.has_certificates);
   write_output(options.output, options.is_list ? list_of(curves) : lines_of(curves));
 }
 
@@ -207,9 +289,12 @@ void add_reference_collection(Program& program) {
                      "totals.csv, and tables of frames as doubles in CSV and NPY");
   command.add_list("--samples", "N,...", options->samples,
                    "of --export, so many rows in each of these tables (default 101)");
+  command.add_flag("--certificates", options->has_certificates,
+                   "of --export, also certificates of the angles at the t of the values, as\n"
+                   "phrame certify writes them, to 50 digits where phrame verify takes that");
   command.add_output(options->output);
   command.writes("JSON lines", {"jsonl", "json", "txt"});
-  command.only_with({"--samples"}, {"--export"});
+  command.only_with({"--samples", "--certificates"}, {"--export"});
   command.not_with({"--list", "--output"}, {"--export"});
   command.set_notes(
       "Without --list and --export the curves are written as JSON lines, as phrame batch reads\n"

@@ -98,4 +98,31 @@ TEST_CASE("reference: what is exported are the doubles nearest to the values") {
         std::vector<std::string>{"inflected.json", "line.json", "out", "quintic.json"});
 }
 
+// theta_erf is computed by quadrature in another program, too (docs/reference.md).
+TEST_CASE("reference: certificates claim the values of the collection, and are accepted") {
+  const Workshop here;
+  CHECK(here.run("reference tame-01 --export out --samples 2 --certificates").status == 0);
+  const std::string file = "out/certificates/tame-01.json";
+  const auto expected = nlohmann::json::parse(here.run("reference tame-01").out)["expected"];
+  const auto claims = nlohmann::json::parse(bytes_of(here.file(file)))["claims"];
+  REQUIRE(claims.size() == expected["at"].size());
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    CHECK(claims[k]["t"] == expected["at"][k]);
+    CHECK(claims[k]["theta"] == expected["theta_erf"][k]);
+  }
+  check_success(here.run("verify " + file + " --curve out/curves/tame-01.json"));
+  // Rounding angles that are 0, but not known to be, would not end.
+  const Run closed = here.run("reference closed-03 --export closed --samples 2 --certificates");
+  CHECK(closed.status == 0);
+  CHECK(closed.err ==
+        "phrame: closed-03: no certificate at t = 1/2, 1: the angle is not told from 0 by 1024 "
+        "bits\n");
+  const std::string other = "closed/certificates/closed-03.json";
+  CHECK(nlohmann::json::parse(bytes_of(here.file(other)))["claims"].size() == 2);
+  check_success(here.run("verify " + other));
+  check_failure(here.run("reference tame-01 --certificates"), 2, "--certificates: ");
+  CHECK(here.run("reference tame-01 --export plain --samples 2").status == 0);
+  CHECK_FALSE(fs::exists(here.file("plain/certificates")));
+}
+
 }  // namespace reference_test

@@ -1,5 +1,5 @@
 """examples/kit: the program of each language that is there writes tables of frames for the collection, and phrame check --suite
-finds that they are by a method of order 4; frames that are wrong are told what is wrong.
+finds that they are by a method of order 4, and what they took; frames that are wrong are told what is wrong.
 
 The tables of docs/audit.md are those of its log. Rust is compiled with PHRAME_TEST_MULTIPLIER above 1 only.
 """
@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
+from fractions import Fraction
 from pathlib import Path
 
 PROGRAM = os.environ["PHRAME_PROGRAM"]
@@ -31,6 +32,8 @@ def programs(folder):
         yield "c++", [os.environ["PHRAME_KIT_CPP"]]
     if shutil.which("node"):
         yield "javascript", ["node", KIT / "double_reflection.mjs"]
+    if shutil.which("julia"):
+        yield "julia", ["julia", KIT / "double_reflection.jl"]
     if shutil.which("rustc") and float(os.environ.get("PHRAME_TEST_MULTIPLIER", 1)) > 1:
         subprocess.run(["rustc", "-o", folder / "compiled", KIT / "double_reflection.rs"], check=True)
         yield "rust", [folder / "compiled"]
@@ -39,6 +42,28 @@ def programs(folder):
 def suite(tables):
     found = json.loads(phrame("check", "--suite", tables, "--print", "json", status=1))  # not all curves have tables
     return {group["name"]: group for group in found["groups"]}, {row["name"]: row for row in found["curves"]}
+
+
+def check_times(tables):
+    """The seconds of a group are the sum of those of its finest tables; where none are told, there is no column."""
+    file = tables / "times.csv"
+    times = {name: Fraction(x) for name, x in (line.rsplit(",", 1) for line in file.read_text().splitlines()[1:])}
+    assert len(times) == sum(1 for _ in tables.rglob("*.csv")) - 1, times
+    groups, curves = suite(tables)
+    for name, row in groups.items():
+        finest = ["41/" + x for x in curves if name in ("", curves[x]["group"])]
+        assert Fraction(row["seconds"]) == sum(map(times.get, finest)) and row["timed_samples"] == 41 * len(finest), row
+    assert Fraction(curves["corners-01"]["steps"][0]["seconds"]) == times["21/corners-01"]
+    file.write_text("name,seconds\n41/rational-frames-01,0.0041\n21/corners-01,7\n")  # one group is told, and a coarse table
+    rows = [[cell.text for cell in row][-2:] for row in xml.etree.ElementTree.fromstring(phrame("check", "--suite", tables, "--print", "html", status=1)).iter("tr")]
+    assert rows == [["seconds", "µs a row"], ["–", "–"], ["0.00410", "100"], ["0.00410", "100"]], rows
+    assert "  seconds  µs a row\n" in phrame("check", "--suite", tables, status=1)
+    assert "& seconds & $\\mu$s a row \\\\" in phrame("check", "--suite", tables, "--print", "latex", status=1)
+    for line, reason in (("41/nobody,1", 'no table "41/nobody" is in the folder'), ("41/corners-01,-1", "-1 seconds are negative"), ("41/corners-01,fast", '"fast" is not')):
+        file.write_text("name,seconds\n21/corners-01,1\n%s\n" % line)
+        refused = subprocess.run([PROGRAM, "check", "--suite", tables], capture_output=True, text=True)
+        assert refused.returncode == 2 and refused.stderr.startswith("phrame: %s:line 3: %s" % (file, reason)) and refused.stderr.count("\n") == 1, refused
+    file.unlink()
 
 
 def check_badge(folder, tables, every):
@@ -69,6 +94,7 @@ def main():
             first = first or errors
             assert errors.keys() == first.keys() and len(errors) > 15
             assert all(abs(errors[name] - first[name]) < 1e-6 * first[name] + 1e-13 for name in errors), (language, errors, first)
+            check_times(folder / language)
         # A frame that turns over, and one with a NaN.
         mine, one = folder / "python", "41/rational-frames-01.csv"
         lines = (mine / one).read_text().splitlines()

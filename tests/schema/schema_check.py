@@ -185,6 +185,7 @@ def check_command_line(folder):
             rows = [f"{end * k / (n - 1)},{k % 2},1,1" for k in range(n)] if name != "plane-01" else []
             (here / f"tables{n}" / f"{name}.csv").write_text("\n".join(["t,f2x,f2y,f2z", *rows]))
     (here / "tables3").rename(here / "tables5" / "tables3")
+    (here / "tables5" / "times.csv").write_text("name,seconds\ntame-01,0.25\ntables3/tame-01,1e-3\n")
     ask("check", "--suite", here / "tables5", "--print", "json")
     for table in [*(here / "tables5").rglob("plane-01.csv"), *(here / "tables5").rglob("corners-03.csv")]:
         table.unlink()

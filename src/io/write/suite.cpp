@@ -20,8 +20,11 @@ std::string table_text(Table table) {
   return columns_text(table, "  ");
 }
 
-/// "1.3e-7" as $1.3 \cdot 10^{-7}$, a dash as "--".
+constexpr const char* per_row_head = "µs a row";
+
+/// "1.3e-7" as $1.3 \cdot 10^{-7}$, a dash as "--", µ as $\mu$.
 std::string latex_cell(const std::string& cell) {
+  if (cell == per_row_head) return R"($\mu$s a row)";
   const std::size_t e = cell.find('e');
   const bool is_number = !cell.empty() && cell.find_first_not_of("0123456789.e-") == cell.npos;
   if (!is_number) return cell == "–" ? "--" : cell;
@@ -56,17 +59,29 @@ std::string table_html(const Table& table) {
 
 std::string bound_cell(const std::optional<Rational>& x) { return x ? upper_bound_text(*x) : "–"; }
 
+std::string seconds_cell(const std::optional<Rational>& seconds) {
+  return seconds ? round_to_decimal(Real(*seconds), 3).value : "–";
+}
+
 std::string order_cell(const std::optional<double>& order) {
   return order ? fmt::format("{:.2f}", *order) : "–";
 }
 
 Table group_table(const SuiteAnswer& answer) {
   Table table{{"group", "curves", "pass", "error", "order", "flips", "drift", "holonomy"}};
-  for (const SuiteGroup& group : suite_groups(answer))
+  const std::vector<SuiteGroup> groups = suite_groups(answer);
+  const bool is_timed = groups.back().seconds.has_value();
+  if (is_timed) table.front().insert(table.front().end(), {"seconds", per_row_head});
+  for (const SuiteGroup& group : groups) {
     table.push_back({group.name.empty() ? "all" : group.name, std::to_string(group.curves),
                      std::to_string(group.passed), bound_cell(group.max_error),
                      order_cell(group.order), std::to_string(group.flips), bound_cell(group.drift),
                      bound_cell(group.holonomy)});
+    if (!is_timed) continue;
+    std::optional<Rational> per_row;
+    if (group.seconds) per_row = *group.seconds * 1'000'000 / Rational(group.timed_samples);
+    table.back().insert(table.back().end(), {seconds_cell(group.seconds), seconds_cell(per_row)});
+  }
   return table;
 }
 
@@ -127,6 +142,7 @@ JsonOutput json_of(const Convergence& found) {
                      {"step", to_string(at.step)},
                      {"error", json_of_bounds(at.error)},
                      {"rate", k == 0 ? JsonOutput() : number_json(found.rates[k - 1])}});
+    if (at.seconds) steps.back()["seconds"] = to_string(*at.seconds);
   }
   return {{"order", number_json(found.order)}, {"steps", steps}};
 }
@@ -149,26 +165,35 @@ JsonOutput json_of(const SuiteRow& row) {
 }
 
 JsonOutput json_of(const SuiteGroup& group) {
-  return {{"name", group.name},
-          {"curves", group.curves},
-          {"passed", group.passed},
-          {"failures", group.failures},
-          {"max_error", bound_json(group.max_error)},
-          {"order", group.order ? JsonOutput(*group.order) : JsonOutput()},
-          {"flips", group.flips},
-          {"drift", bound_json(group.drift)},
-          {"holonomy", bound_json(group.holonomy)}};
+  JsonOutput json = {{"name", group.name},
+                     {"curves", group.curves},
+                     {"passed", group.passed},
+                     {"failures", group.failures},
+                     {"max_error", bound_json(group.max_error)},
+                     {"order", group.order ? JsonOutput(*group.order) : JsonOutput()},
+                     {"flips", group.flips},
+                     {"drift", bound_json(group.drift)},
+                     {"holonomy", bound_json(group.holonomy)}};
+  if (group.seconds) {
+    json["seconds"] = to_string(*group.seconds);
+    json["timed_samples"] = group.timed_samples;
+  }
+  return json;
 }
 
 Table step_table(const OrderAnswer& answer) {
   Table table{{"frames", "step", "error", "rate"}};
   const Convergence& found = answer.convergence;
+  const bool is_timed = std::any_of(found.steps.begin(), found.steps.end(),
+                                    [](const StepError& at) { return at.seconds.has_value(); });
+  if (is_timed) table.front().push_back("seconds");
   for (std::size_t k = 0; k < found.steps.size(); ++k) {
     const StepError& at = found.steps[k];
     std::optional<double> rate;
     if (k > 0 && found.rates[k - 1]) rate = approximate(*found.rates[k - 1]);
     table.push_back({std::to_string(at.samples), upper_bound_text(at.step, 4),
                      upper_bound_text(at.error.upper(), 6), order_cell(rate)});
+    if (is_timed) table.back().push_back(seconds_cell(at.seconds));
   }
   return table;
 }
@@ -194,7 +219,8 @@ std::string to_text(const SuiteAnswer& answer) {
                         some_of(answer.missing));
   return text +
          "\nErrors, drift (radians per unit of length) and holonomy are proved bounds of the "
-         "largest; the\norder is the median of those estimated.\n";
+         "largest; the\norder is the median of those estimated" +
+         (all.seconds ? "; seconds are sums of those in times.csv.\n" : ".\n");
 }
 
 std::string to_json(const SuiteAnswer& answer) {

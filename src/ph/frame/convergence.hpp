@@ -8,6 +8,8 @@ struct StepError {
   std::size_t samples;  ///< the number of frames
   Rational step;        ///< the greatest from one t to the next
   RealBall error;       ///< the largest, in radians
+  /// That they took to compute, as told; no value where it is not.
+  std::optional<Rational> seconds = std::nullopt;
 };
 
 /// Errors below are those of doubles, not of a method.
