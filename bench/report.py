@@ -325,6 +325,8 @@ def by_python():
 
 
 def in_units(seconds):
+    if not seconds:
+        return "0"
     for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
         if seconds >= 0.995 * size or unit == "ns":
             return f"{seconds / size:.2g} {unit}" if seconds < 99.5 * size else f"{seconds / size:.0f} {unit}"
