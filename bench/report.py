@@ -333,7 +333,7 @@ def in_units(seconds):
 
 
 def aims(program):
-    """The third table: seconds now, seconds aimed at, and their ratio."""
+    """The third table: seconds now, seconds aimed at, and their ratio; of the files that beside() has written, too."""
     def seconds(*arguments):
         return program.seconds(*arguments)
 

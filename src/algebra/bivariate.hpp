@@ -13,6 +13,8 @@ class PHRAME_API Bivariate {
 
   long degree() const { return static_cast<long>(coefficients_.size()) - 1; }  ///< in t
   bool is_zero() const { return coefficients_.empty(); }                       ///< is it 0?
+  /// Is it a number?
+  bool is_constant() const { return degree() <= 0 && coefficient(0).is_constant(); }
   /// The coefficient of tᵏ; 0 beyond the degree.
   Polynomial coefficient(long k) const;
   /// The coefficients of t⁰, t¹, …; the last is not 0.

@@ -141,8 +141,7 @@ TaylorModel TaylorModels::multiply(const Rational& x, const TaylorModel& a) cons
 }
 
 Integer TaylorModels::least(const TaylorModel& a, const char* what) const {
-  Integer m = -sum_of_sizes(a.terms) - a.radius;
-  if (!a.terms.empty()) m += 2 * a.terms.front();
+  const Integer m = 2 * a.constant() - sum_of_sizes(a.terms) - a.radius;
   if (m.sign() <= 0) throw Undecided(what);
   return m;
 }

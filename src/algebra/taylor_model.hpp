@@ -11,6 +11,7 @@ struct TaylorModel {
   std::vector<Integer> terms;  ///< the last not 0
   Integer radius = 0;
   bool is_zero() const { return terms.empty() && radius == 0; }
+  Integer constant() const { return terms.empty() ? Integer(0) : terms.front(); }  ///< terms[0]
 };
 
 /// The cosine and the sine of one function.

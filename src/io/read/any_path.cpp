@@ -137,7 +137,7 @@ NamedPath read_json_path(std::string_view text, const CurveLimits& limits,
 
 /// Without a byte order mark and blanks.
 std::string_view content_of(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return text;
 }
@@ -209,7 +209,7 @@ NamedPath read_any_path(const JsonNode& node, const CurveLimits& limits,
 
 NamedPath read_any_path(std::string_view text, const CurveLimits& limits,
                         const FileReading& reading) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   const std::string_view content = content_of(text);
   if (is_glb_file(content)) {
     reading.refuse_skipping("an animation");

@@ -22,7 +22,7 @@ Rational seconds_of(const std::string& text) {
 }  // namespace
 
 std::map<std::string, ComputingTime> computing_times(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text);
   std::map<std::string, ComputingTime> times;
   bool is_head = true;
   for (long line = 1; !text.empty(); ++line) {

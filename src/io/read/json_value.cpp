@@ -312,9 +312,7 @@ JsonValue parse_json(std::string_view text) {
   if (const auto nul = text.find('\0'); nul != std::string_view::npos)
     throw InputError(line_and_column(text, nul + 1), "not valid JSON: a NUL byte");
   // Named here, since the releases of nlohmann's parser differ in what they say of it.
-  std::string_view content = text;
-  if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
-  if (content.find_first_not_of(" \t\r\n") == std::string_view::npos)
+  if (without_mark(text).find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InputError(line_and_column(text, text.size()), "not valid JSON: the input is empty");
   const Numbers numbers = take_numbers(text);
   Builder builder(text, numbers.texts);

@@ -22,6 +22,11 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 std::string line_place(long line) { return fmt::format("line {}", line); }
 
 std::string line_and_column(std::string_view text, std::size_t offset) {

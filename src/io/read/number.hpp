@@ -12,6 +12,9 @@ std::string_view trimmed(std::string_view text, std::string_view around = " \t\r
 /// Takes the first line off the text, and gives it without its end.
 std::string_view take_line(std::string_view& text);
 
+/// The text without the mark of UTF-8 in front of it.
+std::string_view without_mark(std::string_view text);
+
 /// "line 12", the place of an error.
 std::string line_place(long line);
 

@@ -142,7 +142,7 @@ TextTable::TextTable(std::string_view text, const TableForm& reading) {
   if (text.starts_with("PK\x03\x04"))
     throw InputError("line 1",
                      "this is an archive (.npz?); an array saved by numpy.save is wanted");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark of UTF-8
+  text = without_mark(text);
   if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('{'))
     throw InputError("line 1", "this is JSON; a table of text or an array of NumPy is wanted");
   for (long line = 1; !text.empty(); ++line) {

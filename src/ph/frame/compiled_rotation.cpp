@@ -105,7 +105,8 @@ std::optional<PolynomialPiece> rotation_piece_of(double low, double high, double
                                                  const FrameEquation& equation,
                                                  const TwicePhi& twice_phi,
                                                  const DoubleShape& shape) {
-  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& d, long length) {
+  const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& d,
+                          const RotationRates&, long length) {
     return taylor_of(equation, piece, d,
                      times_power_of_two(twice_phi(piece.center, frame_bits), -1), length);
   };
@@ -202,12 +203,9 @@ class PathRotation {
   std::optional<PolynomialPiece> general_piece(const RotationEquation& equation, double low,
                                                double high, double joint) const {
     const auto taylor = [&](const PolynomialPiece& piece, const BallPolynomial& sigma,
-                            long length) {
-      const Vector<BallPolynomial> rate{per_y(equation.a, piece, frame_bits),
-                                        per_y(equation.b, piece, frame_bits),
-                                        per_y(equation.c, piece, frame_bits)};
-      return rotation_series(at_center()(piece.center, frame_bits), rate, sigma, length,
-                             frame_bits);
+                            const RotationRates& M, long length) {
+      return rotation_series(at_center()(piece.center, frame_bits), {M[0], M[1], M[2]}, sigma,
+                             length, frame_bits);
     };
     return rotation_piece(low, high, joint, equation, taylor, shape_);
   }

@@ -38,12 +38,10 @@ bool seems_too_long(const BallPolynomial& N, const BallPolynomial& D, const Ball
   std::vector<double> w{1}, rate;  // S^(−1/2), of which 2SW′ = −S′W, and f′
   double size = 0;
   for (std::size_t k = 0; k <= degree; ++k) {
-    double sum = term(n, w, k);
-    for (std::size_t j = 1; j <= k; ++j) sum -= d[j] * rate[k - j];
-    rate.push_back(sum);
-    if (k == degree) break;
-    size += std::abs(sum) / static_cast<double>(k + 1);
     const auto next = static_cast<double>(k + 1);
+    rate.push_back(term(n, w, k) - term(d, rate, k, 1));
+    if (k == degree) break;
+    size += std::abs(rate.back()) / next;
     double slope = 0;
     for (std::size_t j = 1; j <= k + 1; ++j)
       slope -= s[j] * w[k + 1 - j] * (next - static_cast<double>(j) / 2);
@@ -53,8 +51,7 @@ bool seems_too_long(const BallPolynomial& N, const BallPolynomial& D, const Ball
   return left_out > excess * shape.goal * (size + 1);
 }
 
-bool seems_too_long(const BallPolynomial& sigma, const std::array<BallPolynomial, 4>& M,
-                    const DoubleShape& shape) {
+bool seems_too_long(const BallPolynomial& sigma, const RotationRates& M, const DoubleShape& shape) {
   const auto degree = static_cast<std::size_t>(shape.degree);
   const long length = shape.degree + 1;
   const auto s = coefficients(sigma, sigma.coefficient(0), length);
@@ -73,10 +70,8 @@ bool seems_too_long(const BallPolynomial& sigma, const std::array<BallPolynomial
     size += left_out;
     left_out = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      double sum = moved[k];
-      for (std::size_t j = 1; j <= n; ++j) sum -= s[j] * slope[k][n - j];
-      slope[k].push_back(sum);
-      x[k].push_back(sum / static_cast<double>(n + 1));
+      slope[k].push_back(moved[k] - term(s, slope[k], n, 1));
+      x[k].push_back(slope[k].back() / static_cast<double>(n + 1));
       left_out += std::abs(x[k].back());
     }
   }

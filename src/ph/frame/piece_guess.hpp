@@ -1,8 +1,5 @@
 #pragma once
-#include <array>
-
-#include "phrame/algebra/ball_polynomial.hpp"
-#include "phrame/algebra/double_polynomial.hpp"
+#include "phrame/ph/frame/rotation_piece.hpp"
 
 namespace phrame::inline v0 {
 
@@ -16,8 +13,7 @@ namespace phrame::inline v0 {
 bool seems_too_long(const BallPolynomial& N, const BallPolynomial& D, const BallPolynomial& S,
                     const DoubleShape& shape);
 
-/// The same of B, where σB′ = M·B and |B| = 1, with a, b, c, d of M as in RotationEquation.
-bool seems_too_long(const BallPolynomial& sigma, const std::array<BallPolynomial, 4>& M,
-                    const DoubleShape& shape);
+/// The same of B, where σB′ = M·B and |B| = 1.
+bool seems_too_long(const BallPolynomial& sigma, const RotationRates& M, const DoubleShape& shape);
 
 }  // namespace phrame

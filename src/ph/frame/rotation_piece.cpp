@@ -17,7 +17,7 @@ BallPolynomial products(const BallPolynomial& f, const BallPolynomial& x, const 
 }
 
 /// ∫₀^y |σX′ − M·X| ≤ |y|·that, with a, b, c, d of M.
-RealBall residual_bound(const BallPolynomial& sigma, const std::array<BallPolynomial, 4>& M,
+RealBall residual_bound(const BallPolynomial& sigma, const RotationRates& M,
                         const QuaternionSeries& x) {
   const auto& [a, b, c, d] = M;
   const BallPolynomial minus_b = -b;
@@ -71,14 +71,14 @@ std::optional<PolynomialPiece> rotation_piece(double low, double high, double or
   const BallPolynomial sigma = on_piece(equation.sigma, *piece, frame_bits, true);
   const RealBall least_sigma = least(sigma, frame_bits);
   if (sign(least_sigma) <= 0) return std::nullopt;
-  const std::array<BallPolynomial, 4> M{
+  const RotationRates M{
       per_y(equation.a, *piece, frame_bits), per_y(equation.b, *piece, frame_bits),
       per_y(equation.c, *piece, frame_bits), per_y(equation.d, *piece, frame_bits)};
   if (seems_too_long(sigma, M, shape)) return std::nullopt;
   const auto remainder_of = [&](const QuaternionSeries& exact) {
     return divide(residual_bound(sigma, M, exact), least_sigma, frame_bits);
   };
-  return rounded_rotation_piece(*piece, taylor(*piece, sigma, shape.degree + 1), remainder_of,
+  return rounded_rotation_piece(*piece, taylor(*piece, sigma, M, shape.degree + 1), remainder_of,
                                 shape);
 }
 

@@ -21,10 +21,14 @@ struct RotationEquation {
 
 inline constexpr long frame_bits = 128;  ///< of what is known of a piece
 
-/// Around the coefficients of B up to y^{length−1}, up to the sign of B, from the piece and σ on
-/// it.
-using RotationTaylor = std::function<QuaternionSeries(const PolynomialPiece& piece,
-                                                      const BallPolynomial& sigma, long length)>;
+/// a, b, c, d of M by the y of a piece.
+using RotationRates = std::array<BallPolynomial, 4>;
+
+/// Around the coefficients of B up to y^{length−1}, up to the sign of B, from the piece, and σ and
+/// M on it.
+using RotationTaylor =
+    std::function<QuaternionSeries(const PolynomialPiece& piece, const BallPolynomial& sigma,
+                                   const RotationRates& M, long length)>;
 
 /// B on [low, high] for a parameter t − origin, from its Taylor polynomials, proved afterwards: for
 /// polynomials Q

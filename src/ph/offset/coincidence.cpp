@@ -136,7 +136,7 @@ MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& 
     made.g = exact_quotient(made.g, diagonal);
   }
   const Bivariate common = gcd(made.f, made.g);
-  if (common.is_zero() || (common.degree() == 0 && swapped(common).degree() == 0)) return made;
+  if (common.is_constant()) return made;
   made.f = exact_quotient(made.f, common);
   made.g = exact_quotient(made.g, common);
   for (BivariateFactor& x : factor(common)) made.shared.push_back(std::move(x.base));

@@ -353,9 +353,7 @@ std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& plac
     if (may_vanish(factor, interval_of(place.first), interval_of(place.second)))
       shared.push_back(factor);
   if (!std::ranges::all_of(shared, is_bilinear)) return std::nullopt;
-  const auto is_never_zero = [](const Bivariate& v) {
-    return v.degree() == 0 && v.coefficient(0).degree() == 0;
-  };
+  const auto is_never_zero = [](const Bivariate& v) { return v.is_constant() && !v.is_zero(); };
   if (is_never_zero(pair.equations.f) || is_never_zero(pair.equations.g)) return PartMeetings{};
   const PairEliminant* of_s = pair.of_first(bits_left_);
   if (of_s == nullptr) return std::nullopt;

@@ -165,18 +165,16 @@ std::string objection_to_joint(const IntegralCertificate& c, std::size_t k, long
     const ModelEnd start = end_of(c.segments[k], after, 0, m);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const TaylorModel gap = m.subtract(start.position[axis], end.position[axis]);
-      const Integer first = gap.terms.empty() ? Integer(0) : gap.terms.front();
-      if (abs(first) + gap.radius > numerator(power_of_two(bits - bits / 2)))
+      if (abs(gap.constant()) + gap.radius > numerator(power_of_two(bits - bits / 2)))
         return "the segment does not begin where the one before ends";
     }
     if (c.frame == Reference::frenet)
       return "beside formulas the Frenet frame is not told to go on";
     if (c.frame != Reference::up) return "";
     const TaylorModel turn = turn_of(c.up, end.direction, start.direction, m);
-    const Integer first = turn.terms.empty() ? Integer(0) : turn.terms.front();
     const Rational unit = power_of_two(-bits);
-    after.turn_of_models = {Rational(first - turn.radius) * unit,
-                            Rational(first + turn.radius) * unit};
+    after.turn_of_models = {Rational(turn.constant() - turn.radius) * unit,
+                            Rational(turn.constant() + turn.radius) * unit};
     return "";
   } catch (const Undecided& error) {
     return error.what();
