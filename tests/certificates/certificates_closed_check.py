@@ -88,20 +88,21 @@ def holonomy_by_reflection(points):
 
 
 def writhe_by_polygon(points):
-    """The sum over pairs of edges of the areas on the sphere from which they are seen to cross."""
+    """The sum over pairs of edges of the signed area on the sphere of the directions in which one is seen from the other, two triangles
+    [Van Oosterom, Strackee 1983]."""
     p, total = [r for r, _ in points], 0.0
     n = len(p)
+    seen = [[unit(less(b, a)) if i < j else None for j, b in enumerate(p)] for i, a in enumerate(p)]
+
+    def triangle(a, b, c):
+        return 2 * math.atan2(dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a))
+
     for i in range(n):
         for j in range(i + 2, n - (i == 0)):
-            a, b, c, d = p[i], p[i + 1], p[j], p[(j + 1) % n]
-            ac, ad, bc, bd = less(c, a), less(d, a), less(c, b), less(d, b)
-            normals = [cross(ac, ad), cross(ad, bd), cross(bd, bc), cross(bc, ac)]
-            if any(dot(m, m) < 1e-40 for m in normals):
-                continue
-            normals = [unit(m) for m in normals]
-            area = sum(math.asin(max(-1.0, min(1.0, dot(x, y)))) for x, y in zip(normals, normals[1:] + normals[:1]))
-            side = dot(cross(less(d, c), less(b, a)), ac)
-            total += math.copysign(area, side) / (2 * math.pi) if side else 0.0
+            k = (j + 1) % n
+            a, b = seen[i][j], seen[i + 1][j]
+            d, c = (seen[i][k], seen[i + 1][k]) if k else (unit(less(p[0], p[i])), unit(less(p[0], p[i + 1])))
+            total += (triangle(a, b, c) + triangle(a, c, d)) / (2 * math.pi)
     return total
 
 
