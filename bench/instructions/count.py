@@ -2,7 +2,8 @@
 """Instructions of single stages, by callgrind: free of the noise of a clock.
 
     count.py PROGRAM                    the table of bench/instructions.md
-    count.py PROGRAM --expected FILE    compares: status 1 where a stage has become dearer by more than a tenth
+    count.py PROGRAM --expected FILE    compares: status 1 where a stage has become dearer by more than a tenth, or one of a kind of
+                                        curves grows faster than n^3.5
     count.py PROGRAM --write FILE       makes the counts of this build those that are expected
 
 PROGRAM is phrame_instructions. FILE holds counts by what the program was built by, since another compiler, another optimisation
@@ -10,6 +11,7 @@ and another FLINT give other ones; for a build without counts the exit status is
 """
 import argparse
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -17,6 +19,20 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import report
+
+SIZES = 2, 5
+# Curves that once grew faster than random ones, by a size n that is m times the least.
+KINDS = {
+    "symmetric": lambda m: report.symmetric(2 * m),
+    "composed": lambda m: report.composed(report.peers.preimage(2), report.chebyshev(m)),
+    "clustered": lambda m: report.clustered(m),
+    "near-cusp": lambda m: report.near_cusp(20 * m),
+    "long-numbers": lambda m: report.long_numbers(20 * m),
+    "multiplier": lambda m: report.curve(report.peers.preimage(2), multiplier=report.chebyshev(4 * m)),
+}
+GROWTH = 3.5
 REPETITIONS = 2  # as in main.cpp
 TOLERANCE = 1.1  # other processors have other code of GMP and glibc, which makes some hundredths
 
@@ -24,10 +40,14 @@ TOLERANCE = 1.1  # other processors have other code of GMP and glibc, which make
 def counts(program, m):
     """Instructions of each stage, once, in the order of the program."""
     with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder, "out")
+        out, curves = pathlib.Path(folder, "out"), []
+        for name, make in KINDS.items():
+            file = pathlib.Path(folder, name)
+            file.write_text(json.dumps(make(m)))
+            curves += [name, file]
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=counted",
-             "--dump-after=counted", program, str(m)],
+             "--dump-after=counted", program, str(m), *curves],
             capture_output=True, text=True)
         if run.returncode != 0:
             sys.exit(f"{program} {m}: {run.stderr}")
@@ -47,7 +67,7 @@ def table(program, sizes):
 
 
 def compare(found, expected):
-    """What each stage takes beside what it took; whether some takes more than it should."""
+    """What each stage takes beside what it took, and how it grows; whether some takes more than it should."""
     dearer = False
     for m, stages in found.items():
         for stage, count in stages.items():
@@ -56,6 +76,11 @@ def compare(found, expected):
             dearer = dearer or ratio > TOLERANCE
             note = "  dearer" if ratio > TOLERANCE else "  cheaper: write it down" if ratio < 1 / TOLERANCE else ""
             print(f"m = {m:2} {stage:15} {count:12.0f}  x {ratio:.3f}{note}")
+    for kind in KINDS:
+        first, last = (found[str(m)][kind] for m in SIZES)
+        exponent = math.log(last / first) / math.log(SIZES[1] / SIZES[0])
+        dearer = dearer or exponent > GROWTH
+        print(f"{kind:15} n^{exponent:.1f}{'  too steep' if exponent > GROWTH else ''}")
     return dearer
 
 
@@ -78,7 +103,7 @@ def main():
     if given.expected and built not in all_expected:
         print(f"no counts are known for {built}")
         return 77
-    found = {str(m): counts(given.program, m) for m in (2, 5)}
+    found = {str(m): counts(given.program, m) for m in SIZES}
     if given.expected:
         return 1 if compare(found, all_expected[built]) else 0
     all_expected[built] = {m: {stage: round(n) for stage, n in stages.items()} for m, stages in found.items()}

@@ -1,10 +1,12 @@
-// Each stage ten times after a warm-up, in a function of its own, for callgrind to count; names the
+// Each stage twice after a warm-up, in a function of its own, for callgrind to count; names the
 // stages in their order:
-//   phrame_instructions M
-// Without M, what it was built by.
+//   phrame_instructions M [NAME FILE]...
+// with a stage of that name for each curve file. Without M, what it was built by.
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,17 @@ namespace {
 using namespace phrame;
 
 constexpr int repetitions = 2;
+
+/// A line of a batch, θ(1) to 17 digits.
+std::function<void()> batch_line(const std::string& curve) {
+  return
+      [line = R"({"id": 1, "at": [1], "curve": )" + curve + "}"] { cli::batch_answer(line, {}); };
+}
+
+std::string text_of(const char* path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 }  // namespace
 
@@ -39,7 +52,7 @@ int main(int argc, char** argv) {
   const Path any = bench::bezier_path(m + 1);
   long k = 0;
   const auto other = [&k] { return static_cast<double>(++k) / 1009; };
-  const std::vector<std::pair<const char*, std::function<void()>>> stages{
+  std::vector<std::pair<const char*, std::function<void()>>> stages{
       // From the text of a curve file to the checked antiderivative.
       {"symbolic",
        [&] { RmfAngle(read_curve(text).curve, Reference::euler_rodrigues).antiderivative(); }},
@@ -67,10 +80,10 @@ int main(int argc, char** argv) {
        [&] {
          round_to_decimal(PathAngle(any).value({0, Rational(1)}), 17);
        }},
-      // A line of a batch, θ(1) to 17 digits.
-      {"batch-line",
-       [&] { cli::batch_answer(R"({"id": 1, "at": [1], "curve": )" + text + "}", {}); }},
+      {"batch-line", batch_line(text)},
   };
+  for (int i = 2; i + 1 < argc; i += 2)
+    stages.emplace_back(argv[i], batch_line(text_of(argv[i + 1])));
   for (const auto& [name, stage] : stages) {
     stage();
     counted(stage);
