@@ -31,8 +31,8 @@ TEST_CASE("factor: order and unit") {
   REQUIRE(f.factors.size() == 2);
   CHECK(f.factors[0] == Factor{Polynomial{0, 1}, 1});
   CHECK(f.factors[1] == Factor{Polynomial{-1, 1}, 1});
-  CHECK(factor({Rational(3, 7)}).unit == Rational(3, 7));
-  CHECK_THROWS_AS(factor({}), DomainError);
+  CHECK(factor(Polynomial{Rational(3, 7)}).unit == Rational(3, 7));
+  CHECK_THROWS_AS(factor(Polynomial{}), DomainError);
   CHECK_THROWS_AS(squarefree_factorization({}), DomainError);
 }
 
