@@ -111,8 +111,9 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
     const auto e1 = [&](const Rational& t) -> PlaneDirection {
       return {curve.direction()[0](t), curve.direction()[1](t)};
     };
-    segments.push_back(
-        {std::nullopt, point(curve, 0), e1(0), e1(1), sign_after_zero(curve.multiplier())});
+    segments.push_back({std::nullopt, point(curve, 0), e1(0), e1(1),
+                        sign_after_zero(curve.multiplier()),
+                        odd_inside(cusps(path.segments()[k])).empty()});
     if (!parameters[k]) continue;
     segments[k].curve =
         moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);

@@ -225,7 +225,9 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
 
 SelfIntersections self_intersections(const Offset& offset, long bits) {
   const OffsetBranches branches = branches_of(offset);
-  const CurveSeries series = plane_series(branches.curves, branches.behind);
+  CurveSeries series = plane_series(branches.curves, branches.behind);
+  for (std::size_t k = 0; k < series.segments; ++k)
+    series.turning[k].parts_at_reversals = offset.pieces[k].keeps_direction;
   SelfIntersections result = self_intersections(branches, series, {});
   for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
   return result;
