@@ -19,6 +19,7 @@
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
+#include "phrame/ph/offset/offset_trim.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -602,6 +603,37 @@ TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
   CHECK(parts == std::vector<std::string>{"0: 0 to 1, 2: 0 to 1", "0: 1/4 to 3/4, 1: 0 to 1",
                                           "0: 3/4 to 1, 3: 0 to 1", "1: 0 to 1, 2: 1/7 to 3/5",
                                           "2: 3/5 to 1, 3: 0 to 1"});
+}
+
+// From (0, 0) to (5, 0) with x = 5t, round a rectangle, and again with x = 2t + 3t^2; then with x =
+// 3t + 2t^3, and from (-3, 0) with x = 6t + 2t^2 - 3, where x = 0 has no rational root.
+TEST_CASE("offset: lines coincide that are gone along in different manners") {
+  const auto line = [](const Vector<Rational>& from, const Polynomial& rate) {
+    return Curve({{1}, {}, {}, {}}, rate, from);
+  };
+  const auto round = [&](const Polynomial& first, const Rational& left, const Polynomial& last) {
+    PhPath path(line({0, 0, 0}, first));
+    const PhPath way = lines({{5, 0, 0}, {5, 4, 0}, {left, 4, 0}, {left, 0, 0}});
+    for (const Curve& side : way.segments()) path.append(side);
+    path.append(line({left, 0, 0}, last));
+    return path;
+  };
+  const PhPath exact = round({5}, 0, {2, 6});
+  const SelfIntersections found = self_intersections(offset(exact, Rational(1, 2)));
+  CHECK(found.is_complete());
+  CHECK(found.found.empty());
+  REQUIRE(found.coincident.size() == 1);
+  CHECK(found.coincident[0].first_from == 0);
+  CHECK(found.coincident[0].first_to == 1);
+  CHECK(found.coincident[0].second_from == 0);
+  CHECK(found.coincident[0].second_to == 1);
+  const PhPath inexact = round({3, 0, 6}, -3, {6, 4});
+  const SelfIntersections undecided = self_intersections(offset(inexact, Rational(1, 2)));
+  CHECK_FALSE(undecided.is_complete());
+  REQUIRE(undecided.undecided.size() == 1);
+  CHECK(std::abs(undecided.undecided[0].second.lower - (std::sqrt(15.0) - 3) / 2) < 1e-12);
+  CHECK(undecided.undecided[0].second.upper == 1);
+  CHECK_THROWS_AS(trimmed_offset(inexact, Rational(1, 2)), Undecided);
 }
 
 // The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
