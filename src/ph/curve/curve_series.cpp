@@ -10,6 +10,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 

@@ -277,7 +277,8 @@ bool Coincidences::turn_back_at_once(const CurveNode& a, const CurveNode& b,
   const auto one = partner(swapped(factor), *t.lower);
   const auto other = partner(swapped(factor), *t.upper);
   if (!one || !other) return false;
-  const auto [lower, upper] = std::minmax(*one, *other);
+  const Rational lower = std::min(*one, *other);
+  const Rational upper = std::max(*one, *other);
   const auto is_in = [](const RealAlgebraic& x, const Rational& from, const Rational& to) {
     return compare(x, from) >= 0 && compare(x, to) <= 0;
   };

@@ -2,6 +2,7 @@
 // than π, is by the forms of U in (1 − s)·(p₀, q₀) + s·(p₁, q₁), with one of the two signs of (p₁,
 // q₁).
 #include "phrame/ph/offset/gauge_offset.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 #include <fmt/format.h>
 
