@@ -71,6 +71,31 @@ TEST_CASE("offset: cusps, lengths and self-intersections, in text and JSON") {
   CHECK(contains(here.run("offset turn.json --distance 1 --print latex").out, "\\frac{4}{3}"));
 }
 
+// A rectangle of the sides 1 and 1 + 10⁻²⁰, less by 6·10⁻²⁰ each; the decimals are those of
+// fractions in Python.
+TEST_CASE("offset: long fractions are decimals in a text, and exact in JSON") {
+  const Workshop here;
+  here.write("box.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0], ["1.00000000000000000001", 0]]},
+      {"control_points": [["1.00000000000000000001", 0], ["1.00000000000000000001", 1]]},
+      {"control_points": [["1.00000000000000000001", 1], [0, 1]]},
+      {"control_points": [[0, 1], [0, 0]]}]})");
+  const Run text =
+      here.run("offset box.json --distance=-0.00000000000000000003 --trim --digits 22");
+  check_success(text);
+  CHECK(contains(text.out, "distance d            −3e-20, to the left"));
+  CHECK(contains(text.out, "length              3.999999999999999999780"));
+  CHECK(contains(text.out, "signed area         0.9999999999999999998900"));
+  CHECK(
+      contains(text.out, "from t = 2.999999999999999999970e-20 to t = 0.9999999999999999999700,"));
+  const Run json =
+      here.run("offset box.json --distance=-0.00000000000000000003 --trim --print json");
+  const Json branch = Json::parse(json.out)["trimmed"][0]["branches"][0];
+  CHECK(branch["length"]["exact"] == "199999999999999999989/50000000000000000000");
+  CHECK(
+      contains(here.run("offset box.json --distance=-1/4 --trim").out, "from t = 5/4 to t = 7/4"));
+}
+
 TEST_CASE("offset: the file that is written is the offset, and other commands read it") {
   const Workshop here;
   here.write("turn.json", turn);

@@ -8,6 +8,11 @@
 
 namespace phrame::inline v0 {
 
+bool is_long(const Rational& x) {
+  constexpr std::size_t longest = 16;
+  return to_string(x).size() > longest;
+}
+
 std::string at(const std::string& t, Notation notation) { return formula("t = " + t, notation); }
 
 Value paths_value(const std::vector<Path>& paths) {
@@ -21,8 +26,9 @@ Value paths_value(const std::vector<Path>& paths) {
 }
 
 std::string in_words(const BoundaryEnd& end, const std::string& before, Notation notation) {
-  return before + (end.t.exact() ? at_place(*end.t.exact(), notation)
-                                 : at(in_words(end.rounded, Notation::unicode), notation));
+  const bool is_fraction = end.t.exact() && !is_long(*end.t.exact());
+  return before + (is_fraction ? at_place(*end.t.exact(), notation)
+                               : at(in_words(end.rounded, Notation::unicode), notation));
 }
 
 std::string point_in_words(const std::array<Decimal, 2>& point, Notation notation) {
@@ -42,6 +48,8 @@ std::string in_words(const OffsetAnswer::Place& place, Notation notation) {
 std::string in_words(const OffsetAnswer::Measure& x, Notation notation) {
   const std::string digits = in_words(x.rounded, notation);
   if (!x.exact) return digits;
+  if (notation == Notation::unicode && is_rational(*x.exact) && is_long(x.exact->rational))
+    return digits;
   const std::string exact =
       formula(formatted_sum(formatted_terms(*x.exact, notation), " ", notation), notation);
   constexpr std::size_t longest = 100;  // beyond that nobody reads it, and JSON has it

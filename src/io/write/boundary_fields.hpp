@@ -8,6 +8,8 @@ namespace phrame::inline v0 {
 
 // What the reports of offsets and of envelopes share.
 
+/// Is the fraction so long that a text has its decimal instead? JSON has it.
+bool is_long(const Rational& x);
 /// "t = 1/2".
 std::string at(const std::string& t, Notation notation);
 /// The same of a number in words.
@@ -17,14 +19,14 @@ std::string at_place(const T& t, Notation notation) {
 }
 /// A heading for each, in JSON as curve files.
 Value paths_value(const std::vector<Path>& paths);
-/// "the join at t = 1/2".
+/// "the join at t = 1/2"; a long fraction as its decimal.
 std::string in_words(const BoundaryEnd& end, const std::string& before, Notation notation);
 /// "(1.5, 2)".
 std::string point_in_words(const std::array<Decimal, 2>& point, Notation notation);
 JsonOutput json_of(const BoundaryEnd& end);
 /// "t = 1/2", or "the join at t = 1/2".
 std::string in_words(const OffsetAnswer::Place& place, Notation notation);
-/// "17/3 + 2π ≈ 11.9", or the digits alone.
+/// "17/3 + 2π ≈ 11.9", "17/3", or the digits alone where it is not known or long.
 std::string in_words(const OffsetAnswer::Measure& x, Notation notation);
 /// "rational to each side, over ℚ(√3)", by what is under the square root, in words.
 std::string in_words(const OffsetKind& offset, const std::string& radicand, Notation notation);

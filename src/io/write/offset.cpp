@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "phrame/algebra/as_written.hpp"
 #include "phrame/io/write/answers.hpp"
 #include "phrame/io/write/boundary_fields.hpp"
 #include "phrame/io/write/cas_formula.hpp"
@@ -136,9 +137,16 @@ Value stretches_value(const Part& part) {
   return {Value::Rows(rows), [&part, json] { return array_of(part.stretches, json); }};
 }
 
+/// A long fraction as the decimal that it is.
+std::string distance_in_words(const Rational& d, Notation notation) {
+  return notation == Notation::unicode && is_long(d) ? with_minus_sign(as_written(d))
+                                                     : in_words(d, notation);
+}
+
 Field distance_field(const Rational& d) {
   const auto words = [&](Notation notation) {
-    return in_words(d, notation) + (d > 0 ? ", to the right of travel" : ", to the left of travel");
+    return distance_in_words(d, notation) +
+           (d > 0 ? ", to the right of travel" : ", to the left of travel");
   };
   return {"distance", "distance $d$", {Value::Words(words), [&] { return json_of(d); }}};
 }
@@ -247,7 +255,7 @@ Fields fields(const OffsetAnswer::Both& part) {
   return {{"distance",
            "distance $d$",
            {Value::Words([&](Notation notation) {
-              return in_words(part.distance, notation) + ", to both sides";
+              return distance_in_words(part.distance, notation) + ", to both sides";
             }),
             [&] { return json_of(part.distance); }}},
           {"parameter", "$t$", {Value::Words(t), [&] { return json_of(offset.parameter); }}},

@@ -18,6 +18,13 @@
 // have a different curvature only. Over X along the tangent both are then graphs on one side, with
 // d(sin φ)/dX = κ: where all κ of the one are less than all of the other, so are the slopes, and
 // the graphs meet at the joint alone.
+//
+// Of the offset at d > 0 of a curve with the curvature k it is known that they are: where 1 + dk >
+// 0 it has κ = k/(1 + dk) < 1/d, and where 1 + dk < 0 κ > 1/d. So the branches at a cusp part to
+// both sides of a circle of the radius d, whatever inflections they have; for d < 0 likewise. Under
+// a gauge there is 1/(dρ(φ)) for 1/d, where ρ > 0 is the radius of curvature of U where its tangent
+// has the angle φ: then dφ/dX is less than g(φ) on one branch and more on the other one, so that
+// φ is less than the solution of dφ/dX = g(φ) on one and more on the other one, for these X, too.
 
 namespace phrame::inline v0 {
 namespace {
@@ -91,7 +98,7 @@ class OneWay {
   bool add(CurveNode& node, const CurvePlace& from, const CurvePlace& to) {
     if (end_of(node) <= from || start_of(node) >= to) return true;
     if (start_of(node) >= from && end_of(node) <= to) {
-      if (node.reversals != 0) return false;
+      if (node.reversals > 1 || (node.reversals == 1 && !node.parts_at_reversals)) return false;
       if (is_narrow(node.direction) || node.upper - node.lower < least_part) return add(node);
     }
     tree_.split(node);
@@ -100,6 +107,7 @@ class OneWay {
 
   /// Is it a way, on which d·H > 0?
   bool is_seen() const {
+    if (reversals_ > 0 && !parts_at_reversals_) return false;
     const std::array<double, 2> d{right_[0] + left_[0], right_[1] + left_[1]};
     return std::ranges::all_of(parts_, [&](const CurveNode* node) {
       return dot_product(d, node->direction).lower > std::numeric_limits<double>::min();
@@ -108,7 +116,15 @@ class OneWay {
 
  private:
   bool add(const CurveNode& node) {
-    if (!parts_.empty() && parts_.back()->last_sign != node.first_sign) return false;
+    reversals_ += node.reversals;
+    parts_at_reversals_ = parts_at_reversals_ && node.parts_at_reversals;
+    if (!parts_.empty()) {
+      const CurveNode& last = *parts_.back();
+      if (last.last_sign != node.first_sign) ++reversals_;
+      if (last.upper == 1 && !tree_.is_smooth_behind(last.last_segment))
+        parts_at_reversals_ = false;
+    }
+    if (reversals_ > (parts_at_reversals_ ? 1 : 0)) return false;
     parts_.push_back(&node);
     for (const double x : {node.direction[0].lower, node.direction[0].upper})
       for (const double y : {node.direction[1].lower, node.direction[1].upper})
@@ -143,6 +159,8 @@ class OneWay {
 
   CurveTree& tree_;
   std::vector<const CurveNode*> parts_;
+  long reversals_ = 0;
+  bool parts_at_reversals_ = true;  ///< would each of them?
   std::array<double, 2>
       right_{};                   ///< of the directions up to now the one that is most to the right
   std::array<double, 2> left_{};  ///< and to the left
@@ -274,6 +292,7 @@ void CurveTree::add_turning(CurveNode& arc, const RealBall& all, const RealBall&
       changed(turning.first_sign, count_between(turns_back, 0, arc.lower, false, true));
   arc.last_sign = changed(arc.first_sign, arc.reversals);
   arc.is_straight = turning.first_turn == 0;
+  arc.parts_at_reversals = turning.parts_at_reversals;
   if (count_between(turning.inflections, arc.lower, arc.upper, false, false) == 0)
     arc.turn =
         changed(turning.first_turn, count_between(turning.inflections, 0, arc.lower, false, true));
@@ -335,6 +354,8 @@ std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t 
   node->reversals = one.reversals + other.reversals;
   if (one.last_sign != other.first_sign) ++node->reversals;
   if (behind(middle) != middle + 1) node->reversals += not_seen;
+  node->parts_at_reversals = one.parts_at_reversals && other.parts_at_reversals &&
+                             (behind(middle) == no_segment || is_smooth_behind(middle));
   return node;
 }
 
@@ -358,7 +379,9 @@ bool CurveTree::share_end(const CurveNode& a, const CurveNode& b) const {
 
 bool CurveTree::is_simple(const CurveNode& node, bool is_one_branch_asked) const {
   return is_one_way(node.direction) &&
-         (node.reversals == 0 || (node.reversals == 1 && (node.turn != 0 || is_one_branch_asked)));
+         (node.reversals == 0 ||
+          (node.reversals == 1 &&
+           (node.turn != 0 || node.parts_at_reversals || is_one_branch_asked)));
 }
 
 /// Around the curvature along H.
@@ -398,10 +421,12 @@ bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b, bool is_one_b
   const long reversals =
       one.reversals + other.reversals + (one.last_sign != other.first_sign ? 1 : 0);
   if (reversals == 1 && is_one_branch_asked) return true;
+  const bool is_smooth = one.upper < 1 || is_smooth_behind(one.last_segment);
   const bool turns_one_way = (one.turn != 0 || one.is_straight) &&
-                             (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0 &&
-                             (one.upper < 1 || is_smooth_behind(one.last_segment));
-  return reversals == 0 || (reversals == 1 && (turns_one_way || are_parted(one, other)));
+                             (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0;
+  const bool parts = one.parts_at_reversals && other.parts_at_reversals;
+  return reversals == 0 ||
+         (reversals == 1 && ((is_smooth && (turns_one_way || parts)) || are_parted(one, other)));
 }
 
 bool CurveTree::leads_one_way(const CurveNode& a, const CurveNode& b) {

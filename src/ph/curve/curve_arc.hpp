@@ -46,6 +46,7 @@ struct CurveNode {
   int last_sign = 1;   ///< and where it ends
   int turn = 0;        ///< the sign of H × H′ on an arc; 0 where it is not known or changes
   bool is_straight = false;          ///< is an arc known to be one?
+  bool parts_at_reversals = false;   ///< as SegmentTurning has it, and all joints are smooth
   std::optional<bool> is_idle = {};  ///< what a CrossingQuery says of it, once it was asked
   std::array<std::unique_ptr<CurveNode>, 2> halves = {};
 
@@ -77,10 +78,12 @@ class CurveTree {
   bool is_simple(const CurveNode& node, bool is_one_branch_asked) const;
   bool are_simple(const CurveNode& a, const CurveNode& b, bool is_one_branch_asked) const;
   /// @}
-  /// Is it seen that one of two parts leads to the other on a way that does not turn back, all
-  /// directions of which are in one open half-plane? Then they do not meet, but where they share
-  /// an end. What is between them is halved as far as it turns.
+  /// Is it seen that one of two parts leads to the other on a way that does not turn back, or once
+  /// where branches part, all directions of which are in one open half-plane? Then they do not
+  /// meet, but where they share an end. What is between them is halved as far as it turns.
   bool are_on_one_way(const CurveNode& a, const CurveNode& b);
+  /// Does what is behind the segment begin along the tangent at its end?
+  bool is_smooth_behind(std::size_t segment) const;
 
   /// The projected curve, and the curve itself, around t.
   PlaneSeries series(std::size_t segment, const RealBall& t, long length, long bits) const;
@@ -97,7 +100,6 @@ class CurveTree {
   void add_turning(CurveNode& arc, const RealBall& all, const RealBall& middle) const;
   PlaneSeries projected(const Vector<BallPolynomial>& r, long bits) const;
   std::size_t behind(std::size_t segment) const;
-  bool is_smooth_behind(std::size_t segment) const;
   DoubleInterval curvature_of(const CurveNode& arc) const;
   bool are_parted(const CurveNode& one, const CurveNode& other) const;
   bool goes_on_into(const CurveNode& a, const CurveNode& b) const;

@@ -10,6 +10,7 @@
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/curve/scale.hpp"
 #include "phrame/ph/curve/special_points.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 
@@ -149,7 +150,8 @@ SegmentTurning turning_of(const RationalCurve& curve) {
                          sign_after_zero(turn),
                          {},
                          evaluate(curve.direction(), 0),
-                         evaluate(curve.direction(), 1)};
+                         evaluate(curve.direction(), 1),
+                         false};
   if (turning.first_turn != 0) turning.inflections = sign_changes(turn);
   return turning;
 }

@@ -19,6 +19,9 @@ struct SegmentTurning {
   std::vector<RealAlgebraic> inflections;  ///< in (0, 1), where that changes its sign
   Vector<Rational> first_direction;        ///< H(0)
   Vector<Rational> last_direction;         ///< H(1)
+  /// Is it known that the branches at a place in (0, 1) where p changes its sign have no other
+  /// point in common while H stays in a half-plane, nor with what is smoothly joined to them?
+  bool parts_at_reversals = false;
 };
 
 /// A curve of one or several segments, each on [0, 1], by Taylor series of its position: all that

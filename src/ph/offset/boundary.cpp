@@ -218,7 +218,10 @@ class Trimmer {
     SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
     coincident_ = std::move(found.coincident);
     add_coincidences();
-    if (found.is_cut_off) throw Undecided(function_ + ": too many branches touch each other");
+    if (found.is_cut_off)
+      throw Undecided(
+          function_ +
+          ": branches touch at too many places, or coincide up to irrational parameters");
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
       if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))

@@ -11,6 +11,7 @@
 #include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/eliminant.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -195,8 +196,55 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   });
 }
 
+// On one line, both without turning back, they have in common what lies between the ends.
+bool Coincidences::add_lines(std::size_t first, std::size_t second,
+                             const std::vector<RationalCurve>& curves) {
+  for (const std::size_t k : {first, second})
+    if (turning_[k].first_turn != 0 || !turning_[k].reversals.empty()) return false;
+  const Vector<Rational> h = evaluate(curves[first].direction(), 0);
+  const Vector<Rational> gap = point(curves[second], 0) - point(curves[first], 0);
+  const auto is_along = [&](const Vector<Rational>& v) { return h[0] * v[1] == h[1] * v[0]; };
+  if (!is_along(gap) || !is_along(evaluate(curves[second].direction(), 0))) return false;
+  const std::size_t along = h[0] == 0 ? 1 : 0;
+  std::vector<Rational> lower;
+  std::vector<Rational> upper;
+  for (const std::size_t k : {first, second}) {
+    const auto [from, to] = std::minmax({point(curves[k], 0)[along], point(curves[k], 1)[along]});
+    lower.push_back(from);
+    upper.push_back(to);
+  }
+  const Rational from = std::max(lower[0], lower[1]);
+  const Rational to = std::min(upper[0], upper[1]);
+  if (from >= to) return false;
+  const auto place = [&](std::size_t k, const Rational& x) {
+    return real_roots(curves[k].numerator()[along] - x * curves[k].weight(), closed_interval(0, 1))
+        .front()
+        .at;
+  };
+  std::array<RealAlgebraic, 2> s{place(first, from), place(first, to)};
+  std::array<RealAlgebraic, 2> t{place(second, from), place(second, to)};
+  if (compare(s[0], s[1]) > 0) {
+    std::swap(s[0], s[1]);
+    std::swap(t[0], t[1]);
+  }
+  lines_.insert({first, second});
+  if (s[0].is_rational() && s[1].is_rational() && t[0].is_rational() && t[1].is_rational()) {
+    parts_.push_back(
+        {first, *s[0].rational(), *s[1].rational(), second, *t[0].rational(), *t[1].rational()});
+    return true;
+  }
+  const auto part = [](std::size_t k, const RealAlgebraic& a, const RealAlgebraic& b) {
+    const auto [least, most] =
+        std::minmax({approximate(enclose(a, 64)), approximate(enclose(b, 64))});
+    return CurvePart{k, least, most};
+  };
+  inexact_.push_back({part(first, s[0], s[1]), part(second, t[0], t[1])});
+  return true;
+}
+
 void Coincidences::add(std::size_t first, std::size_t second,
                        const std::vector<RationalCurve>& curves) {
+  if (first != second && add_lines(first, second, curves)) return;
   for (Bivariate& factor :
        meeting_equations(curves[first], curves[second], first == second).shared) {
     if (!is_bilinear(factor)) continue;
@@ -206,8 +254,9 @@ void Coincidences::add(std::size_t first, std::size_t second,
 }
 
 bool Coincidences::cover(const CurveNode& a, const CurveNode& b) const {
-  if (factors_.empty() || !a.is_arc() || !b.is_arc()) return false;
+  if ((factors_.empty() && lines_.empty()) || !a.is_arc() || !b.is_arc()) return false;
   if (a.first_segment > b.first_segment) return cover(b, a);
+  if (lines_.contains({a.first_segment, b.first_segment})) return true;
   const auto found = factors_.find({a.first_segment, b.first_segment});
   if (found == factors_.end() || a.reversals > 1 || b.reversals > 1) return false;
   if (!is_one_way(hull_of(a.direction, b.direction)) &&
@@ -228,7 +277,8 @@ bool Coincidences::turn_back_at_once(const CurveNode& a, const CurveNode& b,
   const auto one = partner(swapped(factor), *t.lower);
   const auto other = partner(swapped(factor), *t.upper);
   if (!one || !other) return false;
-  const auto [lower, upper] = std::minmax(*one, *other);
+  const Rational lower = std::min(*one, *other);
+  const Rational upper = std::max(*one, *other);
   const auto is_in = [](const RealAlgebraic& x, const Rational& from, const Rational& to) {
     return compare(x, from) >= 0 && compare(x, to) <= 0;
   };

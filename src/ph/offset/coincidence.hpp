@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <vector>
 
 #include "phrame/algebra/bivariate.hpp"
@@ -28,11 +29,14 @@ bool may_vanish(const Bivariate& factor, const Interval& s, const Interval& t);
 /// both is a fraction a(s)/b(s) of linear polynomials, a bilinear factor of both equations.
 class Coincidences {
  public:
-  /// None where the factors are of higher degree. Cost: a gcd modulo a prime for each two curves
+  /// Of lines that are gone along in any manner without turning back, too. Else none where the
+  /// factors are of higher degree. Cost: a gcd modulo a prime for each two curves
   /// of which one ends in the box of the other, and where that is not 1 the equations.
   Coincidences(const OffsetBranches& branches, const CurveSeries& series);
 
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
+  /// Parts of lines that coincide, and end there at irrational parameters.
+  const std::vector<UndecidedCrossing>& inexact() const { return inexact_; }
   /// Are arcs parts of one curve that hang together and go one way, or turn back once and turn one
   /// way, so that all that they have in common coincides?
   bool cover(const CurveNode& a, const CurveNode& b) const;
@@ -40,10 +44,13 @@ class Coincidences {
  private:
   void add(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
 
+  bool add_lines(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
   bool turn_back_at_once(const CurveNode& a, const CurveNode& b, const Bivariate& factor) const;
 
   std::vector<SegmentTurning> turning_;  ///< of all curves
   std::vector<CoincidentParts> parts_;
+  std::vector<UndecidedCrossing> inexact_;
+  std::set<std::pair<std::size_t, std::size_t>> lines_;  ///< that have a part in common
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Bivariate>> factors_;
 };
 

@@ -2,6 +2,7 @@
 // than π, is by the forms of U in (1 − s)·(p₀, q₀) + s·(p₁, q₁), with one of the two signs of (p₁,
 // q₁).
 #include "phrame/ph/offset/gauge_offset.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 
 #include <fmt/format.h>
 
@@ -111,8 +112,9 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
     const auto e1 = [&](const Rational& t) -> PlaneDirection {
       return {curve.direction()[0](t), curve.direction()[1](t)};
     };
-    segments.push_back(
-        {std::nullopt, point(curve, 0), e1(0), e1(1), sign_after_zero(curve.multiplier())});
+    segments.push_back({std::nullopt, point(curve, 0), e1(0), e1(1),
+                        sign_after_zero(curve.multiplier()),
+                        odd_inside(cusps(path.segments()[k])).empty()});
     if (!parameters[k]) continue;
     segments[k].curve =
         moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);

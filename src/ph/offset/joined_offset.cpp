@@ -16,7 +16,9 @@ class OffsetJoiner {
   Offset make(bool is_closed) {
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       if (k > 0) add_joint(k - 1, k);
-      if (has_curve_[k]) made_.pieces.push_back({*std::move(segments_[k].curve), k});
+      if (has_curve_[k])
+        made_.pieces.push_back(
+            {*std::move(segments_[k].curve), k, false, segments_[k].keeps_direction});
     }
     if (is_closed)
       add_joint(segments_.size() - 1, 0);

@@ -13,6 +13,7 @@ struct OffsetSegment {
   PlaneDirection at_start;  ///< e₁ there, of any length
   PlaneDirection at_end;    ///< e₁ at its end, likewise
   int sign;  ///< 1 where e₁ is r′/|r′| just after the start, −1 where it is the opposite
+  bool keeps_direction;  ///< as OffsetPiece has it
 };
 
 /// The curve with H along e₁, which it is parallel to at its start.

@@ -71,7 +71,8 @@ Offset offset(const PhPath& path, const Rational& d, OffsetJoin join) {
   for (std::size_t k = 0; k < tangents.size(); ++k) {
     const Curve& curve = path.segments()[k];
     segments.push_back({std::nullopt, curve.start(), direction(tangents[k], 0),
-                        direction(tangents[k], 1), sign_after_zero(curve.multiplier())});
+                        direction(tangents[k], 1), sign_after_zero(curve.multiplier()),
+                        odd_inside(phrame::cusps(curve)).empty()});
     if (!is_point(curve, tangents[k], d))
       segments.back().curve = offset_along(curve, tangents[k], d);
   }

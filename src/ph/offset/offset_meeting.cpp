@@ -5,11 +5,15 @@
 #include "phrame/ph/offset/offset_meeting.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 
+#include "phrame/algebra/algebraic_image.hpp"
+#include "phrame/algebra/ball_order.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/offset/coincidence.hpp"
 #include "phrame/ph/offset/exact_meetings.hpp"
+#include "phrame/ph/offset/turning_parts.hpp"
 
 namespace phrame::inline v0 {
 
@@ -218,17 +222,94 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     add_to(result, branches, pairs);
   }
   decide_touching(result, branches, series);
+  if (!coincidences.inexact().empty()) result.is_cut_off = true;  // no cuts are told
+  result.undecided.insert(result.undecided.end(), coincidences.inexact().begin(),
+                          coincidences.inexact().end());
   result.coincident = coincidences.parts();
   remove_common_ends(result, branches);
   return result;
 }
 
-SelfIntersections self_intersections(const Offset& offset, long bits) {
-  const OffsetBranches branches = branches_of(offset);
-  const CurveSeries series = plane_series(branches.curves, branches.behind);
+namespace {
+
+/// With the piece that each branch is of, and parameters known to so many bits.
+SelfIntersections self_intersections(const Offset& offset, const OffsetBranches& branches,
+                                     const std::function<std::size_t(std::size_t)>& piece_of,
+                                     long bits) {
+  CurveSeries series = plane_series(branches.curves, branches.behind);
+  for (std::size_t k = 0; k < series.segments; ++k)
+    series.turning[k].parts_at_reversals = offset.pieces[piece_of(k)].keeps_direction;
   SelfIntersections result = self_intersections(branches, series, {});
   for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
   return result;
+}
+
+/// What is found of parts, told of the pieces.
+class OfPieces {
+ public:
+  OfPieces(const std::vector<SegmentPart>& parts, long bits) : parts_(parts), bits_(bits) {}
+
+  SelfIntersections told(SelfIntersections found) const {
+    for (Crossing& x : found.found) {
+      move(x.first_segment, x.first_t);
+      move(x.second_segment, x.second_t);
+    }
+    for (KnownMeeting& x : found.touching) {
+      move(x.first_segment, x.first_t);
+      move(x.second_segment, x.second_t);
+    }
+    for (UndecidedCrossing& x : found.undecided) {
+      move(x.first);
+      move(x.second);
+    }
+    return found;
+  }
+
+ private:
+  template <class T>
+  void move(std::size_t& segment, T& t) const {
+    const SegmentPart& part = parts_[segment];
+    t = along(part, t);
+    segment = part.segment;
+  }
+  void move(CurvePart& x) const {
+    const SegmentPart& part = parts_[x.segment];
+    const RealBall all = hull(*interval_of(x).lower, *interval_of(x).upper, bits_);
+    const RealBall t = along(part, all);
+    x = {part.segment, std::max(0.0, -upper_double(subtract({}, t, bits_))),
+         std::min(1.0, upper_double(t))};
+  }
+  RealBall along(const SegmentPart& part, const RealBall& t) const {
+    return add(RealBall(part.lower, bits_),
+               multiply(RealBall(part.upper - part.lower, bits_), t, bits_), bits_);
+  }
+  static RealAlgebraic along(const SegmentPart& part, const RealAlgebraic& t) {
+    return affine(t, part.upper - part.lower, part.lower);
+  }
+
+  const std::vector<SegmentPart>& parts_;
+  long bits_;
+};
+
+}  // namespace
+
+// Arcs of doubles are too long next to a near-cusp, where a curve turns within little of its
+// parameter: where something is undecided it is looked at in parts.
+SelfIntersections self_intersections(const Offset& offset, long bits) {
+  const OffsetBranches branches = branches_of(offset);
+  SelfIntersections result = self_intersections(
+      offset, branches, [](std::size_t k) { return k; }, bits);
+  if (result.is_complete()) return result;
+  const auto [fine, parts] = in_turning_parts(branches);
+  if (parts.size() == branches.curves.size()) return result;
+  const auto piece_of = [&parts = parts](std::size_t k) { return parts[k].segment; };
+  SelfIntersections again = self_intersections(offset, fine, piece_of, bits);
+  const auto rank = [](const SelfIntersections& x) {
+    return std::pair(x.is_cut_off, x.undecided.size());
+  };
+  if (rank(again) >= rank(result)) return result;
+  again.coincident = std::move(result.coincident);  // here they are in parts
+  return OfPieces(parts, bits + 64).told(std::move(again));
 }
 
 }  // namespace phrame

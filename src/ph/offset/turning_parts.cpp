@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "phrame/ph/curve/transform.hpp"
+#include "phrame/ph/offset/joined_offset.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
 namespace phrame::inline v0 {
@@ -36,6 +37,15 @@ void add_cuts(const Polynomial& turn, const Polynomial& sigma, const Rational& l
   add_cuts(turn, sigma, other, upper, cuts);
 }
 
+/// Part of a curve, with H as it is.
+RationalCurve part_of(const RationalCurve& curve, const Rational& lower, const Rational& upper) {
+  const Polynomial t{lower, upper - lower};
+  Vector<Polynomial> numerator = curve.numerator();
+  for (Polynomial& x : numerator) x = compose(x, t);
+  const auto& [x, y, z] = curve.direction();
+  return with_direction(RationalCurve(numerator, compose(curve.weight(), t)), {x(lower), y(lower)});
+}
+
 }  // namespace
 
 std::vector<Rational> turning_cuts(const Polynomial& turn, const Polynomial& sigma) {
@@ -59,6 +69,31 @@ PathInParts in_turning_parts(const PhPath& path) {
     }
   }
   return {PhPath::of_continuous(std::move(curves), std::move(corners)), std::move(parts)};
+}
+
+BranchesInParts in_turning_parts(const OffsetBranches& pieces) {
+  BranchesInParts made;
+  std::vector<std::size_t> first;  // of the parts of each piece
+  for (std::size_t k = 0; k < pieces.curves.size(); ++k) {
+    const RationalCurve& curve = pieces.curves[k];
+    const auto& [x, y, z] = curve.direction();
+    const RationalFunction rate(x * differentiate(y) - y * differentiate(x), x * x + y * y);
+    const std::vector<Rational> cuts = turning_cuts(rate.numerator(), rate.denominator());
+    first.push_back(made.parts.size());
+    for (std::size_t j = 0; j + 1 < cuts.size(); ++j) {
+      made.branches.curves.push_back(cuts.size() == 2 ? curve
+                                                      : part_of(curve, cuts[j], cuts[j + 1]));
+      made.parts.push_back({k, cuts[j], cuts[j + 1]});
+    }
+  }
+  for (std::size_t k = 0; k < made.parts.size(); ++k) {
+    const auto& [piece, lower, upper] = made.parts[k];
+    const std::size_t behind = pieces.behind[piece];
+    made.branches.behind.push_back(upper < 1              ? k + 1
+                                   : behind == no_segment ? no_segment
+                                                          : first[behind]);
+  }
+  return made;
 }
 
 }  // namespace phrame

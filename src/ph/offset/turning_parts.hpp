@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "phrame/ph/curve/ph_path.hpp"
+#include "phrame/ph/offset/offset_meeting.hpp"
 
 namespace phrame::inline v0 {
 
@@ -25,5 +26,13 @@ std::vector<Rational> turning_cuts(const Polynomial& turn, const Polynomial& sig
 /// Next to a near-cusp, where a segment turns within ε of its parameter, they get shorter by
 /// halves: about log₂ 1/ε on each side of it.
 PathInParts in_turning_parts(const PhPath& path);
+
+/// The pieces of an offset in such parts.
+struct BranchesInParts {
+  OffsetBranches branches;         ///< a curve for each part
+  std::vector<SegmentPart> parts;  ///< what these are, with the pieces for segments
+};
+/// Costs more than for a path, whose σ has half the degree.
+BranchesInParts in_turning_parts(const OffsetBranches& pieces);
 
 }  // namespace phrame

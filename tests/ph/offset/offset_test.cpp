@@ -19,6 +19,7 @@
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/offset_measure.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
+#include "phrame/ph/offset/offset_trim.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 
@@ -332,6 +333,50 @@ TEST_CASE("offset: one of degree 33 that nearly coincides next to a cusp is deci
   CHECK(meeting.found.size() == 2);
 }
 
+// w = s + i(1/100 + s^2), s = t - 1/2: the cusps are less than 10^-6 from inflections, and both
+// branches turn by little. By mpmath, with 50 digits, the one is on one side of the other at 400
+// places along the tangent at a cusp, and findroot() finds no common point.
+TEST_CASE("offset: next to an inflection the branches at a cusp part") {
+  const Curve curve({{Rational(-1, 2), 1}, {}, {}, {Rational(26, 100), -1, 1}});
+  const Offset found = offset(PhPath(curve), 1000);
+  CHECK(cusps(found).size() == 2);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found.empty());
+}
+
+// Where the path turns back, its offset goes from one side of a circle to the other one: here with
+// one cusp, and all tangents in a half-plane.
+TEST_CASE("offset: one cusp, and a crossing, as the path turns back in between") {
+  const Curve curve({from_bernstein({-3, 4, -3}), {}, {}, from_bernstein({-2, 0, -3})}, {-5, 9});
+  const Offset found = offset(PhPath(curve), 5);
+  CHECK(cusps(found).size() == 1);
+  const SelfIntersections meeting = self_intersections(found);
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found.size() == 1);
+  CHECK(sampled_crossings(found, 1500) == 1);
+}
+
+// w = (s + i/10^11)(2 - 3i + (2 + 7i)s), s = t - 29/50, turns by nearly a half within 10^-10, so
+// that the offset goes round a circle there. The place is that of findroot() of mpmath.
+TEST_CASE("offset: a near-cusp, at which arcs of doubles are too long") {
+  const Rational e = power_of_ten(-11);
+  const Polynomial s{Rational(-29, 50), 1};
+  const Polynomial a = Polynomial{2} + Rational(2) * s;
+  const Polynomial b = Polynomial{-3} + Rational(7) * s;
+  const Curve curve({s * a - e * b, {}, {}, s * b + e * a});
+  const SelfIntersections meeting = self_intersections(offset(PhPath(curve), Rational(-1, 4)), 96);
+  CHECK(meeting.is_complete());
+  REQUIRE(meeting.found.size() == 1);
+  const auto is_near = [](const RealBall& t, const char* known) {
+    const Rational at = parse_rational(known);
+    const Rational width = power_of_ten(-20);
+    return t.lower() > at - width && t.upper() < at + width;
+  };
+  CHECK(is_near(meeting.found[0].first_t, "0.3868910095489472404"));
+  CHECK(is_near(meeting.found[0].second_t, "0.57999999992969932245"));
+}
+
 // The numbers are those of a picture of Farouki's slides; a polygon through 6000 points of this
 // offset, cut by itself in NumPy, has as many.
 TEST_CASE("offset: one with four cusps that meets itself six times") {
@@ -558,6 +603,37 @@ TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
   CHECK(parts == std::vector<std::string>{"0: 0 to 1, 2: 0 to 1", "0: 1/4 to 3/4, 1: 0 to 1",
                                           "0: 3/4 to 1, 3: 0 to 1", "1: 0 to 1, 2: 1/7 to 3/5",
                                           "2: 3/5 to 1, 3: 0 to 1"});
+}
+
+// From (0, 0) to (5, 0) with x = 5t, round a rectangle, and again with x = 2t + 3t^2; then with x =
+// 3t + 2t^3, and from (-3, 0) with x = 6t + 2t^2 - 3, where x = 0 has no rational root.
+TEST_CASE("offset: lines coincide that are gone along in different manners") {
+  const auto line = [](const Vector<Rational>& from, const Polynomial& rate) {
+    return Curve({{1}, {}, {}, {}}, rate, from);
+  };
+  const auto round = [&](const Polynomial& first, const Rational& left, const Polynomial& last) {
+    PhPath path(line({0, 0, 0}, first));
+    const PhPath way = lines({{5, 0, 0}, {5, 4, 0}, {left, 4, 0}, {left, 0, 0}});
+    for (const Curve& side : way.segments()) path.append(side);
+    path.append(line({left, 0, 0}, last));
+    return path;
+  };
+  const PhPath exact = round({5}, 0, {2, 6});
+  const SelfIntersections found = self_intersections(offset(exact, Rational(1, 2)));
+  CHECK(found.is_complete());
+  CHECK(found.found.empty());
+  REQUIRE(found.coincident.size() == 1);
+  CHECK(found.coincident[0].first_from == 0);
+  CHECK(found.coincident[0].first_to == 1);
+  CHECK(found.coincident[0].second_from == 0);
+  CHECK(found.coincident[0].second_to == 1);
+  const PhPath inexact = round({3, 0, 6}, -3, {6, 4});
+  const SelfIntersections undecided = self_intersections(offset(inexact, Rational(1, 2)));
+  CHECK_FALSE(undecided.is_complete());
+  REQUIRE(undecided.undecided.size() == 1);
+  CHECK(std::abs(undecided.undecided[0].second.lower - (std::sqrt(15.0) - 3) / 2) < 1e-12);
+  CHECK(undecided.undecided[0].second.upper == 1);
+  CHECK_THROWS_AS(trimmed_offset(inexact, Rational(1, 2)), Undecided);
 }
 
 // The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
