@@ -149,7 +149,6 @@ def bad():
     yield from closed()
     yield from formulas()
     yield from symmetric()
-    yield from symmetric()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),

@@ -1,5 +1,6 @@
-// Let ρ(s) = r(φ(s)), φ(s) = c − s or s + d. In r′ and so on for ρ each derivative has the sign of
-// φ′, which is in (v·r′)·det(v, r′, r″) four times, in det(r′, r″, r‴) six times, and in squares.
+// The rate at φ(x) = c − x or x + d is compared with that at x. Derivatives of r(φ(x)) by x are
+// those of r there times φ′ = ±1 for each order. In (v·r′)·det(v, r′, r″) the orders add up to
+// four, in det(r′, r″, r‴) to six, and squares have even sums, too: so φ′ is no matter.
 #include "phrame/ph/along/antisymmetric_rate.hpp"
 
 #include <array>

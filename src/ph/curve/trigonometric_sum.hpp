@@ -9,8 +9,8 @@
 namespace phrame::inline v0 {
 
 /// Σ c·πʲ·xᵏ·e^{i(ωx + ρπ + κ)}, a function of x with fractions c, ω, ρ, κ, as a list of its terms.
-/// Lists that are equal are equal functions; the converse is true but for what numbers as 1 +
-/// e^{2πi/3} + e^{4πi/3} may be.
+/// Lists that are equal are equal functions. The converse is not always true: 1 + e^{2πi/3} +
+/// e^{4πi/3} is 0, but no empty list.
 class TrigonometricSum {
  public:
   /// All but the c of a term.
@@ -64,7 +64,7 @@ class TrigonometricArithmetic {
   using Sum = TrigonometricSum;
   explicit TrigonometricArithmetic(Integer most) : room_(std::move(most)) {}
 
-  bool is_within_limit() const { return room_ >= 0; }  ///< as yet
+  bool is_within_limit() const { return room_ >= 0; }  ///< so far
   Sum add(const Sum& f, const Sum& g);
   Sum subtract(const Sum& f, const Sum& g);
   Sum multiply(const Sum& f, const Sum& g);
