@@ -263,13 +263,20 @@ std::optional<Antisymmetry> PathAngle::State::antisymmetry_up_to(const Place& at
     return std::nullopt;
   const Segment& segment = path.segments()[at.segment];
   constexpr long most_work = 1'000'000'000;
-  const auto is_opposite_at = [&, along = other(at.segment)](const Rational& a, const Rational& b) {
-    constexpr long bits = 64;
-    const auto rate = [&](const Rational& s) { return along->rate(RealBall(s, bits), bits); };
-    return add(rate(a), rate(b), bits).contains(Rational(0));
+  constexpr long bits = 64;
+  const auto rate = [along = other(at.segment)](const Rational& s) {
+    return along->rate(RealBall(s, bits), bits);
   };
+  const RealBall at_start = rate(0);
+  const RealBall at_t = rate(*t);
+  const bool may_be_mirrored = add(at_start, at_t, bits).contains(Rational(0));
+  const bool may_be_shifted = at_start.overlaps(at_t);
+  if (!may_be_mirrored && !may_be_shifted) return std::nullopt;
   return find_antisymmetry(*t, [&](const Antisymmetry& symmetry) {
-    if (!is_opposite_at(0, symmetry.shift.value_or(*t))) return false;
+    const auto& shift = symmetry.shift;
+    if (shift ? !may_be_shifted || !add(at_start, rate(*shift), bits).contains(Rational(0))
+              : !may_be_mirrored)
+      return false;
     if (const auto* formulas = std::get_if<ExpressionCurve>(&segment))
       return has_antisymmetry(formulas->position(), formulas->from(), formulas->to(), measure.up,
                               *t, symmetry, most_work);
