@@ -23,6 +23,7 @@ from types import SimpleNamespace
 MAX_EXPONENT, MAX_COUNT, MAX_LENGTH = 10000, 1000000, 100000  # of decimals, of counts, of the text of a number
 MAX_DEGREE, MAX_WORK, FULL_SIZE = 1001, 2000000000, 100000  # of the curve; as the page says; bytes
 MAX_ZEROS = 20000000000  # the work of counting zeros, ten of it about a nanosecond
+MAX_SYMMETRY = 4000000000  # the work of sums of trigonometric functions, in units of the page
 MAX_PARTS, MAX_HALVINGS = 2000000000, 40  # the work of telling crossings, in nanoseconds; of a segment
 PRIMES = [(1 << 127) - 1]  # for gcds; the next ones are found as they are needed
 TAKEN = SimpleNamespace(volume=0, zeros=0)  # of this file: what was read, and the work of counting zeros
@@ -981,6 +982,81 @@ class Jets:
 # Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
 # a function of a value and its place (a JSON pointer), which returns what it reads.
 
+# Sums of c pi^j x^k e^(i(wx + rp + q)), p = pi, as {(j, k, w, r, q): c} with 0 <= r < 1, since half a turn is the factor -1, and
+# no c = 0. Sums that are equal are equal functions of x.
+
+UNIT, OF_PI, OF_X = (0, 0, 0, 0, 0), (1, 0, 0, 0, 0), (0, 1, 0, 0, 0)
+
+
+def collected(terms):
+    found = {}
+    for (j, k, w, r, q), c in terms:
+        key, c = (j, k, w, r - r // 1, q), -c if r // 1 % 2 else c
+        found[key] = found.get(key, 0) + c
+    return {key: c for key, c in found.items() if c}
+
+
+def cosine(f, turned_back):
+    """cos(f - turned_back pi) for f = wx + r pi + q: (e^i... + e^-i...)/2."""
+    require(f.keys() <= {UNIT, OF_PI, OF_X}, "the symmetry is not seen: an angle is not linear in s")
+    w, r, q = f.get(OF_X, 0), f.get(OF_PI, 0) - turned_back, f.get(UNIT, 0)
+    return collected([((0, 0, w, r, q), Fraction(1, 2)), ((0, 0, -w, -r, -q), Fraction(1, 2))])
+
+
+def slope_of(f):
+    """The derivative; i is e^(i pi/2)."""
+    turned = [((j, k, w, r + Fraction(1, 2), q), c * w) for (j, k, w, r, q), c in f.items()]
+    return collected(turned + [((j, k - 1, w, r, q), c * k) for (j, k, w, r, q), c in f.items() if k])
+
+
+class Waves:
+    """Such sums, and what may still be spent on them."""
+
+    def __init__(self, room):
+        self.room = room
+
+    def spend(self, count, f, g):
+        bits = [max((bits_of(x) for key, c in sum_.items() for x in (c, *key[2:])), default=0) for sum_ in (f, g)]
+        self.room -= count * (sum(bits) + 200) ** 2
+        require(self.room >= 0, "to see the symmetry is too much work")
+
+    def plus(self, f, g):
+        self.spend(len(f) + len(g), f, g)
+        return collected([*f.items(), *g.items()])
+
+    def minus(self, f, g):
+        return self.plus(f, {key: -c for key, c in g.items()})
+
+    def times(self, f, g):
+        self.spend(len(f) * len(g), f, g)
+        return collected((tuple(x + y for x, y in zip(a, b)), c * d) for a, c in f.items() for b, d in g.items())
+
+    def dot(self, f, g):
+        return reduce(self.plus, map(self.times, f, g))
+
+    def cross(self, f, g):
+        return [self.minus(self.times(f[i], g[j]), self.times(f[j], g[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
+
+    def values(self, f, variable):
+        """Of the steps of a formula."""
+        out = []
+        for (name, left, right), number in zip(f.steps, f.numbers):
+            if number is not None:
+                out.append({UNIT: number} if number else {})
+            elif name in ("pi", "s"):
+                out.append({OF_PI: 1} if name == "pi" else variable)
+            elif name in "+*":
+                out.append((self.plus if name == "+" else self.times)(out[left], out[right]))
+            elif name == "/" and f.numbers[right]:
+                out.append(self.times(out[left], {UNIT: 1 / Fraction(f.numbers[right])}))
+            elif name == "power" and right.denominator == 1 and right >= 0:
+                out.append(reduce(self.times, [out[left]] * int(right), {UNIT: 1}))
+            else:
+                require(name in ("sin", "cos"), "the symmetry is not seen: not all is a sum of products of s, sin and cos")
+                out.append(cosine(out[left], Fraction(1, 2) if name == "sin" else 0))
+        return out
+
+
 class Object(dict):
     """A JSON object, which remembers its keys as they are written."""
 
@@ -1138,7 +1214,8 @@ signs = expect(lambda x: isinstance(x, str) and set(x) <= set("+-0"),
 count = expect(lambda x: type(x) is int and abs(x) <= MAX_COUNT,
                "an integer is wanted, without quotes and not above %d" % MAX_COUNT)
 VECTOR, COMPLEX, SIZE = (rational,) * 3, (integer, integer), at_least(0, integer)
-OPTIONAL = ("name", "note", "start", "multiplier", "closed", "holonomy", "writhe")  # of a curve, and of a path
+# Of a curve, of a path, and of a claim.
+OPTIONAL = ("name", "note", "start", "multiplier", "closed", "holonomy", "writhe", "symmetry")
 AXES = ("x", "y", "z")
 ROOT = {"center": COMPLEX, "radius": SIZE, "residue": COMPLEX, "residue_radius": SIZE}
 CLAIM, TURN = {"t": rational, "theta": decimal, "radius": bound}, {"index": count, "signs": (signs, signs)}
@@ -1306,6 +1383,11 @@ def formula(variable):
     return leaf
 
 
+def symmetry(value, place):
+    """None for that of a mirror, or a shift."""
+    return None if value == "mirror" else expect(lambda x: x > 0, "a shift is positive", rational)(value, place)
+
+
 ENDS, JETS = ("from", "to"), {"none": 1, "up": 2, "frenet": 3}  # which derivatives of r a rate has
 EXPRESSIONS = {**{key: formula("s") for key in AXES}, **{key: formula("") for key in ENDS}}
 
@@ -1334,7 +1416,7 @@ def read_of_integral(value, limits):
         return read(formulas if isinstance(value, dict) and "expressions" in value else quotient, value, place)
     form = {"phrame": one_of("integral-certificate/1"), "name": string, "frame": one_of("up", "frenet", "none"),
             "segments": expect(bool, "a segment is wanted", [segment]),
-            "claims": [{"t": rational, name: decimal, "radius": bound}]}
+            "claims": [{"t": rational, name: decimal, "radius": bound, **({} if frame == "none" else {"symmetry": symmetry})}]}
     P = read({**form, "up": VECTOR} if frame == "up" else form, value, "")
     for claim, written in zip(P.claims, value["claims"]):
         claim.value = getattr(claim, name)
@@ -1346,13 +1428,15 @@ def work_of_integral(P):
     """What it takes to check it, in the units of the page."""
     total, longest = TAKEN.volume ** 2 // 63000, 0
     for C in P.segments:
+        C.d = C.a = C.count = 0
         if hasattr(C, "expressions"):
             complete_formulas(C)
+            C.count = len(C.f.steps) + len(C.ends.steps)
             total += work_of_models(C, P.frame, len(P.segments) > 1)
             longest = max([longest] + [piece.order for piece in C.pieces])
             continue
         lists = [C.x, C.y, C.z, C.w, C.square]
-        d, a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
+        d, a = C.d, C.a = max(len(p.c) for p in lists), max(p.bits() for p in lists)
         total += 3000 * d ** 3 * (1 + a // 64) + 2 * d ** 2 * a ** 2
         for piece in C.pieces:
             k, b = 6 * d + len(piece.root) + len(piece.rate), max(piece.root_bits, piece.rate_bits)
@@ -1362,6 +1446,9 @@ def work_of_integral(P):
     for claim in P.claims:
         total += (bits_of(claim.t) * (1 + longest)) ** 2 // 500 + bits_of(claim.value, claim.radius) ** 2 // 1000
         total += 1000 * (1 + len(P.segments))
+        if hasattr(claim, "symmetry"):
+            d, t = P.segments[0].d, bits_of(claim.t)
+            total += 20000 * P.segments[0].count + 5000 * d ** 2 * (1 + (P.segments[0].a + d * t) // 64)
         if P.frame == "up" and len(P.segments) > 1:  # there may be turns at the joints
             total += (2 * len(P.segments) + 8) * bits_of(claim.radius) ** 2
     return total
@@ -1849,7 +1936,7 @@ class Statements:
             self.rest_on([claim.text])
             require(self.is_on(claim.t), "a t is not on the path")
             r, (e1, e2, e3) = self.place(claim.t)
-            C, S, off = (1, 0, 0) if self.is_zero(claim.t) else cos_sin_of(claim)
+            C, S, off = (1, 0, 0) if self.is_zero(claim.t) or not (claim.theta or claim.radius) else cos_sin_of(claim)
             C, S, off = C * a - S * b, S * a + C * b, off * (abs(a) + abs(b))
             values = [(x, 0) for x in (claim.t, *r, *e1)]
             values += [(C * x + S * y, off * (abs(x) + abs(y))) for x, y in zip(e2, e3)]
@@ -2584,26 +2671,29 @@ class IntegralProof(Statements):
         elif side < 0:
             after.f, after.H = after.f * -1, [a * -1 for a in after.H]
         models = Models(2, bits)
-        (end, a), (start, b) = self.end(before, 1, models), self.end(after, 0, models)
+        (end, a, A), (start, b, B) = self.end(before, 1, models), self.end(after, 0, models)
         for P, r in map(models.minus, start, end):
             require(lengths(P) + r <= 1 << bits - bits // 2, "the segment does not begin where the one before ends")
-        require(self.frame != "frenet", "beside formulas the Frenet frame is not told to go on")
-        if self.frame == "up":
-            P, r = self.turn_of_models(models, a, b)
+        if self.frame != "none":
+            P, r = self.turn_of_models(models, a, b) if self.frame == "up" else self.turn_of_frenet(models, a, b, A, B)
             n = P[0] if P else 0
             after.turn = lambda _: (Fraction(n - r, 1 << bits), Fraction(n + r, 1 << bits))
 
     def end(self, C, t, models):
-        """r and a vector along e1 where a segment ends, for t = 1, or begins, for t = 0."""
+        """r and a vector along e1 where a segment ends, for t = 1, or begins, for t = 0; with the Frenet frame one along the binormal, too."""
+        is_frenet = self.frame == "frenet"
         if hasattr(C, "texts"):
             jets = Jets(models, 1)
             ends = jets.values(C.ends, None)
             a, b = (ends[C.steps[key]][0] for key in ENDS)
-            values = jets.values(C.f, [b if t else a, models.minus(b, a)])
-            place, slope = ([values[C.steps[key]][j] for key in AXES] for j in (0, 1))
-            return place, [models.scaled(x, Fraction(C.side)) for x in slope]
+            jets.J += is_frenet
+            values = jets.values(C.f, [b if t else a, models.minus(b, a)] + [([], 0)] * is_frenet)
+            place, slope, *bend = ([values[C.steps[key]][j] for key in AXES] for j in range(jets.J + 1))
+            slope = [models.scaled(x, Fraction(C.side)) for x in slope]
+            return place, slope, models.cross(slope, bend[0]) if is_frenet else None
         require(C.W(t), "the weight of the segment before is 0 at its end")
-        return [models.number(x(t) / C.W(t)) for x in C.X], self.over_greatest([a(t) for a in C.H], models)
+        binormal = self.over_greatest([a(t) for a in self.binormal(C)[1]], models) if is_frenet else None
+        return [models.number(x(t) / C.W(t)) for x in C.X], self.over_greatest([a(t) for a in C.H], models), binormal
 
     def over_greatest(self, vector, models):
         """The vector over the greatest absolute value of its components; 0 remains 0."""
@@ -2613,13 +2703,27 @@ class IntegralProof(Statements):
     def turn_of_models(self, m, a, b):
         """By how much the angle to the frame of v grows where the least rotation takes e1 from along a to along b. Of unit vectors
         v x a becomes v x a - det(v, a, b)(a + b)/(1 + a.b), times 1 + a.b, whose components along v x b and b x (v x b) are C and -S."""
-        a, b = ([m.times(x, size) for x in c] for c, size in ((c, m.inverse(m.root(m.dot(c, c)))) for c in (a, b)))
+        a, b = self.units(m, a, b)
         v = self.over_greatest(self.up, m)
         d = m.dot(v, m.cross(a, b))
         C = m.plus(m.times(m.dot(m.cross(v, a), m.cross(v, b)), m.plus(m.number(Fraction(1)), m.dot(a, b))), m.times(d, d))
         S = m.times(d, m.plus(m.dot(v, a), m.dot(v, b)))
         size = m.root(m.plus(m.times(C, C), m.times(S, S)))
         return m.scaled(m.atan(m.times(S, m.inverse(m.plus(size, C)))), Fraction(-2))
+
+    def units(self, m, *vectors):
+        return [[m.times(x, size) for x in c] for c, size in ((c, m.inverse(m.root(m.dot(c, c)))) for c in vectors)]
+
+    def turn_of_frenet(self, m, a, b, A, B):
+        """The same of the Frenet frame with the binormals A and B, up to half a turn: A becomes A - (A.b)(a + b)/(1 + a.b), times 1 + a.b,
+        whose components along B and b x B are C and S."""
+        a, b, A, B = self.units(m, a, b, A, B)
+        c, along = m.plus(m.number(Fraction(1)), m.dot(a, b)), m.dot(A, b)
+
+        def part(w):
+            return m.minus(m.times(c, m.dot(A, w)), m.times(along, m.plus(m.dot(a, w), m.dot(b, w))))
+        m.least(c, "the tangent turns back")
+        return m.atan(m.times(part(m.cross(b, B)), m.inverse(part(B))))
 
     def joint(self, before, after):
         """r goes on, and with an angle the frame, too; then e1 is H/|H| with the sign that goes on, at a corner with that
@@ -2747,11 +2851,50 @@ class IntegralProof(Statements):
         require(0 <= t <= len(self.parts), "t is not on the path")
         last = -(-t.numerator // t.denominator)  # so many segments, the last of them up to t
         low, high = (sum(x) for x in zip((0, 0), *(self.bounds(k, min(Fraction(1), t - k)) for k in range(last))))
+        if hasattr(claim, "symmetry"):
+            self.symmetry(t, claim.symmetry)
+            low, high = 0, 0
         for k in range(1, min(t.numerator // t.denominator, len(self.parts) - 1) + 1):
             self.rest_on([self.parts[k].joint])
             low, high = (x + y for x, y in zip((low, high), self.turn(k, 128 + max(0, ask) * (claim.radius > 0))))
         is_known = -claim.radius <= low - claim.value and high - claim.value <= claim.radius
         require(is_known, "it does not follow from the pieces")
+
+    def symmetry(self, t, shift):
+        """The rate at t - x is the opposite of that at x, or that at x + shift, t being a multiple of twice the shift."""
+        require(self.frame != "none" and 0 < t <= 1, "a symmetry is one of an angle in the first segment")
+        require(shift is None or Fraction(t, 2) / shift % 1 == 0, "t is no multiple of twice the shift")
+        C = self.parts[0]
+        if hasattr(C, "texts"):
+            return self.symmetry_of_formulas(C, t, shift)
+        if C.rate[0]:
+            require(shift is None, "the rate does not have that symmetry")
+            turned = [on_piece(a, Fraction(t), Fraction(-1)) for a in C.rate]
+            require(turned == [C.rate[0] * -1, *C.rate[1:]], "the rate does not have that symmetry")
+
+    def symmetry_of_formulas(self, C, t, shift):
+        """Of N/(D sqrt(S)) but for a constant, where s = from + x and there. Each derivative changes its sign where s falls with x,
+        and there is an even number of them in N, D and S."""
+        waves = Waves(MAX_SYMMETRY // len(self.claims))
+        ends = waves.values(C.ends, {})
+        start = ends[C.steps["from"]]
+        end, way, side = ends[C.steps["to"]], Fraction(t if shift is None else shift), -1 if shift is None else 1
+        there = [(key, c * x) for part, x in ((start, 1 - way), (end, way)) for key, c in part.items()]
+
+        def rate(s):
+            values = waves.values(C.f, s)
+            r = [values[C.steps[key]] for key in AXES]
+            r1, r2, r3 = [*accumulate(range(3), lambda r, _: [*map(slope_of, r)], initial=r)][1:]
+            S = waves.dot(r1, r1)
+            if self.frame == "frenet":
+                bend = waves.cross(r1, r2)
+                return waves.dot(bend, r3), waves.dot(bend, bend), S
+            v = [{UNIT: Fraction(x)} if x else {} for x in self.up]
+            across = waves.cross(v, r1)
+            return waves.times(waves.dot(v, r1), waves.dot(across, r2)), waves.dot(across, across), S
+        N, *one = rate(collected([*start.items(), (OF_X, 1)]))
+        M, *other = rate(collected([*there, (OF_X, side)]))
+        require(not N or N == {key: -c for key, c in M.items()} and one == other, "the rate does not have that symmetry")
 
     @cache
     def turn(self, k, bits):
@@ -2795,7 +2938,7 @@ class IntegralProof(Statements):
             require(0 <= claim.t <= len(self.parts), "a t is not on the path")
             P = 128 + min(4096, max(0, claim.radius.denominator.bit_length() - claim.radius.numerator.bit_length()))
             (r, H), (f2, f3) = self.place(Fraction(claim.t)), self.first_frame(first, P)
-            is_still = claim.t == 0 or self.is_zero(claim.t)
+            is_still = claim.t == 0 or self.is_zero(claim.t) or not (claim.theta or claim.radius)
             if not (is_still and not any(cross(H, first)) and dot(H, first) > 0):
                 e2, e3 = self.frame_of_v(first, P)
                 a, b = (reduce(plus, map(times, f2, e)) for e in (e2, e3))
@@ -2850,8 +2993,8 @@ def read_table(name):
 
 
 def check(name, options):
-    """Checks one file and prints what is proved; returns the exit status."""
-    at = name
+    """Checks one file and prints what is proved, of several in one line; returns the exit status."""
+    at, is_one = name, len(options.files) < 2
     try:
         proof = proof_of(read_certificate(read_file(name), options))
         if options.curve:
@@ -2861,26 +3004,24 @@ def check(name, options):
             at = options.table
             rows = read_table(at)
     except Malformed as error:
-        print("check_certificate.py: %s:%s" % (at, error), file=sys.stderr)
+        print("%s%s:%s" % ("check_certificate.py: " if is_one else "", at, error), file=sys.stderr if is_one else sys.stdout)
         return 2
     lines = proof.run()
     if options.table:
         proof.state("table " + options.table, proof.table, (), rows)
-    if len(options.files) > 1:
-        print("%s:" % name)
-    if not options.quiet:
+    if is_one and not options.quiet:
         named = getattr(proof.C, "curve", proof.C)
-        name = "".join(c if c.isprintable() else "?" for c in getattr(named, "name", ""))  # no line of its own
-        print("curve       %s" % (name or "without a name"))
+        shown = "".join(c if c.isprintable() else "?" for c in getattr(named, "name", ""))  # no line of its own
+        print("curve       %s" % (shown or "without a name"))
         print("sha256      %s" % hash_of(proof.curves()))
         up = " (%s)" % ", ".join(map(str, proof.C.up)) if hasattr(proof.C, "up") else ""
         print("frame       %s%s" % (getattr(proof.C, "frame", "erf"), up))
     for is_proved, line in lines:
-        if not (options.quiet and is_proved):
+        if is_one and not (options.quiet and is_proved):
             print(line)
     failures, number = sum(not is_proved for is_proved, _ in lines), len(lines)
-    print("%d of %d statements %s not proved" % (failures, number, "is" if failures == 1 else "are") if failures
-          else "all %d statements are proved" % number)
+    print(("" if is_one else name + ": ") + ("%d of %d statements %s not proved" % (
+        failures, number, "is" if failures == 1 else "are") if failures else "all %d statements are proved" % number))
     return 1 if failures else 0
 
 
@@ -2888,7 +3029,7 @@ def main():
     if hasattr(sys, "set_int_max_str_digits"):
         sys.set_int_max_str_digits(0)
     parser = argparse.ArgumentParser(description="Checks certificates of rotation-minimizing frames.")
-    parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input')
+    parser.add_argument("files", nargs="+", metavar="CERT", help='a certificate, "-" for standard input; of several there is one line for each')
     parser.add_argument("--curve", metavar="FILE",
                         help="the curve it must be of: a curve/1 or a spline/1")
     parser.add_argument("--table", metavar="FILE",
@@ -2901,6 +3042,8 @@ def main():
     parser.add_argument("--unlimited", action="store_true",
                         help="check it even if that takes longer than the page promises")
     options = parser.parse_args()
+    if options.table and len(options.files) > 1:
+        parser.error("--table is for one certificate")
     sys.stdout.reconfigure(errors="backslashreplace")
     sys.exit(max(check(name, options) for name in options.files))
 

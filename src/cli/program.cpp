@@ -87,6 +87,8 @@ CLI::Validator is_in(WholeNumbers range) {
   return {complaint, ""};
 }
 
+constexpr int most_arguments = 1'000'000;
+
 }  // namespace
 
 std::string Command::name() const { return app_.get_name(); }
@@ -121,6 +123,11 @@ OptionFacts& Command::facts_of(const CLI::Option& option) { return facts_[option
 void Command::add_optional_argument(const std::string& argument, std::string& value,
                                     const std::string& what) {
   add_option(argument, "", value, what);
+}
+
+void Command::add_optional_arguments(const std::string& argument, std::vector<std::string>& values,
+                                     const std::string& what) {
+  app_.add_option(argument, values, what)->type_name("")->expected(0, most_arguments);
 }
 
 void Command::add_option(const std::string& option, const std::string& value_name,

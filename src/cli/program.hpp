@@ -60,6 +60,9 @@ class Command {
   void add_argument(const std::string& argument, std::string& value, const std::string& what);
   void add_optional_argument(const std::string& argument, std::string& value,
                              const std::string& what);
+  /// Any number of them, behind the others.
+  void add_optional_arguments(const std::string& argument, std::vector<std::string>& values,
+                              const std::string& what);
   void add_option(const std::string& option, const std::string& value_name, std::string& value,
                   const std::string& what);
   void add_option(const std::string& option, const std::string& value_name,

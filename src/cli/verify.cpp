@@ -26,6 +26,7 @@ namespace {
 
 struct VerifyOptions {
   std::string path;
+  std::vector<std::string> more;
   std::optional<std::string> curve;
   std::optional<std::string> table;
   std::string output = "-";
@@ -139,10 +140,10 @@ std::vector<std::vector<Rational>> read_table(const std::string& text) {
   return rows;
 }
 
-/// Of a curve or a path.
-template <class Named>
-void check(const Named& named, const CertificateLimits& limits, const VerifyOptions& options) {
-  const auto& [name, certificate] = named;
+/// What is stated, with what the options add.
+template <class C>
+std::vector<Statement> statements_of(const C& certificate, const CertificateLimits& limits,
+                                     const VerifyOptions& options) {
   std::vector<Statement> statements;
   if (options.curve) statements.push_back(check_curves(certificate, *options.curve, limits.curve));
   for (Statement& statement : verify(certificate)) statements.push_back(std::move(statement));
@@ -153,24 +154,58 @@ void check(const Named& named, const CertificateLimits& limits, const VerifyOpti
                                                                 return read_table(rows);
                                                               }))});
   }
-  constexpr std::size_t longest_name = 200;
-  options.length.write(
-      options.output, fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
-                                  name.empty() ? "without a name" : abbreviated(name, longest_name),
-                                  sha256(exact_form_of(certificate)), frame_of(certificate)) +
-                          to_text(statements));
-  if (!std::all_of(statements.begin(), statements.end(),
-                   [](const Statement& statement) { return statement.is_proved(); }))
-    throw AnswerNo{};
+  return statements;
+}
+
+bool are_proved(const std::vector<Statement>& statements) {
+  return std::ranges::all_of(statements, [](const Statement& x) { return x.is_proved(); });
+}
+
+NamedAnyCertificate read_named(const std::string& path, const CertificateLimits& limits) {
+  const std::string text = read_file(path);
+  return at_place(name_of_file(path), ":", [&] { return read_any_certificate(text, limits); });
+}
+
+/// A line for each file.
+void check_each(const CertificateLimits& limits, const VerifyOptions& options) {
+  std::vector<std::string> paths{options.path};
+  paths.insert(paths.end(), options.more.begin(), options.more.end());
+  Output output(options.output);
+  bool is_proved = true;
+  std::size_t refused = 0;
+  for (const std::string& path : paths) try {
+      const auto statements = std::visit(
+          [&](const auto& named) { return statements_of(named.certificate, limits, options); },
+          read_named(path, limits));
+      is_proved = is_proved && are_proved(statements);
+      output.write(fmt::format("{}: {}\n", name_of_file(path), summary(statements)));
+    } catch (const InputError& error) {
+      ++refused;
+      output.write(fmt::format("{}\n", error.what()));
+    }
+  output.finish();
+  if (refused > 0)
+    throw InputError(fmt::format("{} of {} files", refused, paths.size()),
+                     "no certificate, or beyond the limits");
+  if (!is_proved) throw AnswerNo{};
 }
 
 void run(const VerifyOptions& options) {
   CertificateLimits limits = options.limits;
   limits.is_limited = !options.is_unlimited;
-  const std::string text = read_file(options.path);
-  const auto found =
-      at_place(name_of_file(options.path), ":", [&] { return read_any_certificate(text, limits); });
-  std::visit([&](const auto& named) { check(named, limits, options); }, found);
+  if (!options.more.empty()) return check_each(limits, options);
+  const auto print = [&](const auto& named) {
+    const auto statements = statements_of(named.certificate, limits, options);
+    constexpr std::size_t longest_name = 200;
+    options.length.write(
+        options.output,
+        fmt::format("curve       {}\nsha256      {}\nframe       {}\n",
+                    named.name.empty() ? "without a name" : abbreviated(named.name, longest_name),
+                    sha256(exact_form_of(named.certificate)), frame_of(named.certificate)) +
+            to_text(statements));
+    if (!are_proved(statements)) throw AnswerNo{};
+  };
+  std::visit(print, read_named(options.path, limits));
 }
 
 }  // namespace
@@ -179,23 +214,28 @@ void add_verify(Program& program) {
   Command& command = program.add("verify", "check a certificate");
   const auto options = std::make_shared<VerifyOptions>();
   command.add_argument("CERT", options->path, "a certificate (JSON), \"-\" for standard input");
+  command.add_optional_arguments("MORE", options->more,
+                                 "other certificates: then there is one line for each");
   command.add_option("--curve", "FILE", options->curve, "the curve or path that it must be of");
   command.add_option("--table", "FILE", options->table,
                      "frames, as phrame frames writes them, at the t of the certificate: is each\n"
                      "number the double next to the exact one?");
   command.add_output(options->output);
   command.writes("text", {"txt"});
+  command.not_with({"--table"}, {"MORE"});
   add_max_degree(command, options->limits.curve);
   command.add_flag("--unlimited", options->is_unlimited,
                    "check it even if that may take longer than docs/certificate.md promises");
   command.add_flag("--full", options->length.is_full, "abridge nothing: a long t");
   command.set_notes(
       "Starts from the curve in the certificate and proves every statement by another way than it\n"
-      "was found. Exit status 0: all are proved, 1: not all.\n"
+      "was found. Exit status 0: all are proved, 1: not all, 2: what is refused is among the "
+      "files.\n"
       "Examples:\n"
       "  phrame verify angle.cert\n"
       "  phrame verify angle.cert --curve curve.json\n"
-      "  phrame verify angle.cert --table frames.csv");
+      "  phrame verify angle.cert --table frames.csv\n"
+      "  phrame verify collection/certificates/*.json");
   command.does(options, run);
 }
 

@@ -33,13 +33,8 @@ def proved(paths):
     run = subprocess.run([sys.executable, "-B", str(CHECKER), "-q", *paths], capture_output=True, text=True)
     if "Traceback" in run.stderr:
         sys.exit(run.stderr)
-    accepted, name = set(), None
-    for line in run.stdout.splitlines():
-        if line.endswith(":"):
-            name = line[:-1]
-        elif line.startswith("all ") and line.endswith(" statements are proved"):
-            accepted.add(name)
-    return accepted
+    lines = [line.rpartition(": ") for line in run.stdout.splitlines()]
+    return {name for name, _, said in lines if said.startswith("all ") and said.endswith(" statements are proved")}
 
 
 def curves():
@@ -90,6 +85,19 @@ def check_words(path):
     number = len(run.stdout.splitlines()) - 4  # less the curve, its hash, the frame and the last line
     if run.returncode != 1 or run.stdout.splitlines()[-1] != "1 of %d statements is not proved" % number:
         sys.exit(run.stdout + run.stderr)
+
+
+def check_several(good, folder):
+    """Of several files both print the same line for each that is read, and their statuses are the worst of all."""
+    bad, none = folder / "bad.cert", folder / "none.cert"
+    bad.write_text(Path(good).read_text().replace('"theta": "', '"theta": "9', 1))
+    none.write_text("{}")
+    for status, paths in ((0, [good, good]), (1, [good, str(bad), good]), (2, [str(none), good, str(bad)]), (2, [good, str(folder / "nothing")])):
+        mine = subprocess.run([sys.executable, "-B", str(CHECKER), *paths], capture_output=True, text=True)
+        other = phrame("verify", *paths)
+        alike = [[line for line in run.stdout.splitlines() if line.startswith((good, str(bad)))] for run in (mine, other)]
+        if (mine.returncode, other.returncode) != (status, status) or alike[0] != alike[1] or len(other.stdout.splitlines()) != len(paths):
+            sys.exit("several: %s, %s" % (mine, other))
 
 
 def check_both(paths):
@@ -264,6 +272,7 @@ def main():
         if failed or len(paths) < 30:
             sys.exit("not proved: %s" % ", ".join(sorted(failed)))
         check_words(paths[0])
+        check_several(next(path for path in paths if '"theta": "0.' in Path(path).read_text()), folder)
         check_both([str(path) for path in near_cusps(folder)])
         check_tampering(folder)
 

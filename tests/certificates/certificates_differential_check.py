@@ -66,15 +66,18 @@ SHORT = [  # curve, arguments
     ({"phrame": "spline/1", "segments": [{"expressions": {"x": "s", "y": "exp(s/8)"}, "from": 0, "to": 1},
                                          {"expressions": {"x": "s", "y": "exp(s/8)", "z": "1 - cos(s - 1)"}, "from": 1, "to": "3/2"}]}, ["--length"]),
     ({"phrame": "spline/1", "segments": [{"basis": "power", "position": {"x": [0, 1], "y": [0, 0, 1]}}, {"expressions": {"x": "s", "y": "exp(s - 1)"}, "from": 1, "to": 2}]},
-     ["--up", "1,1,5"])]
+     ["--up", "1,1,5"]),
+    ({"phrame": "curve/1", "basis": "power", "position": {"x": [0, 1], "y": [0, 1, -1], "z": [0, 0, 1, -2, 1]}}, ["--up", "0,0,1"]),  # symmetric
+    ({"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": "sin(2*s)/3"}, "from": 0, "to": "pi"}, ["--up", "0,0,1"])]
 FORMULAS = [  # x, y, z, from, to, arguments
     ("cos(s)", "sin(s)", "s/3", 0, "pi/2", ["--at", "1/3,1"]), ("s*exp(-s)", "sqrt(2 + s)", "atan(s)^2", "-1/3", 1, []),
-    ("log(2 + s)", "s^(2/3)", "1/s", 1, 2, ["--frame", "frenet"]), ("tan(s/2)", "sinh(s)", "s^3 - s", 0, 1, ["--length"])]
+    ("log(2 + s)", "s^(2/3)", "1/s", 1, 2, ["--frame", "frenet"]), ("tan(s/2)", "sinh(s)", "s^3 - s", 0, 1, ["--length"]),
+    ("2*cos(s)", "sin(s)", "cos(2*s)/7", 0, "2*pi", ["--at", "1/3,1/2"])]
 LIMIT = 5  # seconds, for a certificate below 100 kB
 TEXTS = ["0", "1", "-1", "-0", "00", "1/2", "1/0", "2/4", "+1", " 1", "1 ", "1.5", ".5", "5.", "1e5", "1e-5", "1E5", "1e+5", "1e10000",
          "1e10001", "1e-10000", "1e100000", "0x1p3", "nan", "", "-", "1/-2", "1//2", "١", "٣/٢", "1e", "1e-", "1" * 50, "9" * 3000, "9" * 7000, "1/" + "7" * 200]
 VALUES = [None, True, False, 0, 1, -1, 2, 1000000, 1000001, 10 ** 30, 0.5, 1e5, [], {}, [[]], ["1"], ["0"], ["1", "1"], ["0", "0", "1"],
-          {"re": [], "im": []}, {"answer": True}, {"answer": False}, *TEXTS]
+          "mirror", {"re": [], "im": []}, {"answer": True}, {"answer": False}, *TEXTS]
 BYTES = [b"\xff", b"\x00", b"\xef\xbb\xbf", b"\\ud800", b"\\u0031", b" ", b"\n", b",", b"]", b"}", b'"', b"1", b"-", b"e5", b"NaN", b"//"]
 
 
@@ -220,7 +223,7 @@ def change(certificate, chance):
             chance.shuffle(items)
             value.clear()
             return value.update(items)
-        return value.update({chance.choice(["x", "note", "name", "start", "turn", "bend", "answer", "closed", "holonomy"]): chance.choice(VALUES)})
+        return value.update({chance.choice(["x", "note", "name", "start", "turn", "bend", "answer", "closed", "holonomy", "symmetry"]): chance.choice(VALUES)})
     if kind == 4:  # something from elsewhere
         other = chance.choice([p for p in places(certificate) if p])
         return put(certificate, path, copy.deepcopy(at(certificate, other)))
@@ -268,7 +271,7 @@ PLACES_OF_INTEGRALS = [("frame",), ("up",), ("up", 0), ("segments",), ("segments
                        ("segments", 0, "square", 0), ("segments", 0, "pieces"), PIECE, *((*PIECE, key) for key in ("to", "root_bits", "root", "rate_bits", "rate")),
                        (*PIECE, "root", 0), (*PIECE, "rate", 1), ("claims", 0, "t"), ("claims", 0, "theta"), ("claims", 0, "radius")]
 OF_FORMULAS = ("segments", 0, "expressions")
-PLACES_OF_FORMULAS = [OF_FORMULAS, *((*OF_FORMULAS, key) for key in ("x", "z", "from", "to")), PIECE, *((*PIECE, key) for key in ("to", "order", "bits"))]
+PLACES_OF_FORMULAS = [OF_FORMULAS, *((*OF_FORMULAS, key) for key in ("x", "z", "from", "to")), PIECE, *((*PIECE, key) for key in ("to", "order", "bits")), ("claims", 0, "symmetry")]
 PLACES = [("position",), ("position", "w"), ("position", "w", 0), ("position", "x"), ("position", "z", 0), ("curve", "multiplier"),
           ("curve", "multiplier", "numerator"), ("curve", "multiplier", "denominator"), ("curve", "multiplier", "denominator", 0)]
 

@@ -72,12 +72,100 @@ SMOOTH = spline(curve("cos(s)", "sin(s)", "s", 0, "pi/2"), curve("cos(s)", "sin(
 SUBJECTS += [
     ("corner", CORNER, ["--digits", "12", "--up", "1,-7,2"]),
     ("smooth joint", SMOOTH, ["--digits", "10"]),
+    ("helices, Frenet", SMOOTH, ["--digits", "10", "--frame", "frenet"]),
+    # Behind the corner, about the z axis, both binormals are along that axis.
+    ("corner, Frenet", spline(curve("sin(s)", "1 - cos(s)", "s^3", -1, 0), curve("sin(s)", "2*s + sin(s)^2", "s^3*exp(s)")), ["--digits", "10", "--frame", "frenet"]),
     ("length of two", CORNER, ["--length", "--digits", "10", "--at", "1/2,3/2,2"]),
     # r' = (2t - 1)(1, t, 1 + t^2) has a cusp, behind which e1 = -r'/|r'| goes on, also through a corner and along formulas.
     ("cusp", spline({"basis": "power", "position": {"x": [0, -1, 1], "y": [0, 0, "-1/2", "2/3"], "z": [0, -1, 1, "-1/3", "1/2"]}},
                     curve("exp(s) - 1", "1/6 + sin(s)", "1/6 + s + s^2"), curve("exp(1) - 1 + s", "1/6 + sin(1) + s^2", "13/6 + 3*s")),
      ["--digits", "10", "--up", "1,-7,2"]),
     ("mixed", json.loads((ROOT / "examples" / "any" / "mixed.json").read_text()), ["--digits", "10", "--at", "1,5/2,3"])]
+
+
+# The angle is exactly 0: r(c - s) or r(s + d) is r(s) but for a motion that turns v over or not and changes the orientation.
+SYMMETRIC = [  # name, curve, t, v or none for the Frenet frame, symmetry
+    ("mirror", curve("2*cos(s)", "sin(s)", "cos(2*s)/7", 0, "2*pi"), "1/2", "0,0,1", "mirror"),
+    ("mirror of a third", curve("cos(s)", "sin(s)", "cos(3*s)/3", 0, "2*pi"), "1/3", "0,0,1", "mirror"),
+    ("mirror, Frenet", curve("2*cos(s)", "sin(s)", "s^2/7 - cos(s*1)^2*s*sin(3*s)", "-pi/3", "pi/3"), "1", None, "mirror"),
+    ("mirror with numbers", curve("sin(s - 1)", "cos(s - 1)", "(s - 1)^2", "-1/2", "5/2"), "1", "0,0,1", "mirror"),
+    ("shift", curve("4*cos(s) + cos(5*s)", "4*sin(s) + sin(5*s)", "sin(6*s)/2", 0, "2*pi"), "1", "0,0,1", "1/4"),
+    ("shift, Frenet", curve("cos(s)", "sin(s)", "cos(2*s + pi/7)/3", "2*pi/9", "20*pi/9"), "1/2", None, "1/4"),
+    ("plane", curve("exp(s)", "1", "s", 0, 1), "1", "0,1,0", "none"),
+    ("plane, sine", curve("s", "1", "sin(s)", 0, 1), "1", "0,1,0", "mirror"),
+    ("polynomial", {"phrame": "curve/1", "basis": "power", "position": {"x": [0, 1], "y": [0, 1, -1], "z": [0, 0, 1, -2, 1]}}, "1", "0,0,1", "mirror"),
+    ("rational", {"phrame": "curve/1", "control_points": [[-3, 0, 0], [-1, 2, 1], [1, 2, 1], [3, 0, 0]], "weights": [1, 2, 2, 1]}, "1", "0,0,1", "mirror")]
+
+
+# Nearly so: N is odd, as y'' = 1 + sin s and z' = (1 - sin s) sin s, or 1 + s and s (1 - s), but D is not even.
+NEARLY = [curve("s", "s^2/2 - sin(s)", "sin(2*s)/4 - cos(s) - s/2", -1, 1), curve("s", "s^2/2 + s^3/6", "s^2/2 - s^3/3", -1, 1)]
+
+
+def check_symmetric(here):
+    """They are proved to be 0 with the radius 0, and `phrame angle` says so; forged ones are not."""
+    path, file, number = here / "a.cert", here / "a.json", 0
+    for name, value, t, up, symmetry in SYMMETRIC:
+        file.write_text(json.dumps(value))
+        frame = ["--frame", "frenet"] if up is None else ["--up", up]
+        done = run("certify", file, *frame, "--at", t, "--digits", "9", "-o", path)
+        honest = json.loads(path.read_text()) if not done.returncode else {}
+        claim = honest.get("claims", [{}])[0]
+        if symmetry == "none":
+            if "symmetry" in claim or claim["radius"] == "0":
+                sys.exit("%s: %s" % (name, claim))
+            continue
+        if claim != {"t": t, "theta": "0", "radius": "0", "symmetry": symmetry}:
+            sys.exit("%s: %s, %s" % (name, done.stderr, claim))
+        expect(0, name, path, curve=file)
+        if ALL and t == "1" and "expressions" in value:
+            check_value(name, value, honest)
+        asked = json.loads(run("angle", file, *frame, "--at", t, "--print", "json").stdout)
+        if asked["values"][0].get("radius", "0") != "0" or asked["values"][0]["theta"] != "0":
+            sys.exit("%s: angle says %s" % (name, asked["values"]))
+        other = {"mirror": "1/2"}.get(symmetry, "mirror")
+        lies = [(1, {"theta": "1e-900"}), (1, {"t": "2/5"}), (2, {"symmetry": "-1/2"}), (2, {"symmetry": "0"}), (2, {"symmetry": 1}), (2, {"symmetry": "mirrors"}),
+                (1, {"symmetry": "1/3"}), (1, {"t": "0"}), (0, {"theta": "1e-9", "radius": "1e-9"}), (2, {"length": "1"})]
+        for status, change in lies + [(1, {"symmetry": other})] * (name != "plane, sine"):
+            if name == "plane, sine" and change in ({"t": "2/5"}, {"symmetry": "1/3"}):  # its angle is 0 all along
+                continue
+            path.write_text(json.dumps({**honest, "claims": [{**claim, **change}]}))
+            expect(status, "%s, %s" % (name, change), path)
+            number += 1
+        if name == "mirror":
+            for k, near in enumerate(NEARLY):
+                file.write_text(json.dumps(near))
+                run("certify", file, "--up", "0,0,1", "--digits", "5", "-o", path)
+                lie = json.loads(path.read_text())
+                path.write_text(json.dumps({**lie, "claims": [{**claim, "t": "1"}]}))
+                expect(1, "nearly symmetric %d" % k, path, line="not proved  |theta(1) - ")
+                number += 1
+        for key, formula in (("z", "cos(2*s) + s/1000"), ("from", "1/1000"), ("x", "2*cos(s + 1/10)")) if name == "mirror" else ():
+            lie = copy.deepcopy(honest)
+            lie["segments"][0]["expressions"][key] = formula
+            path.write_text(json.dumps(lie))
+            expect(1, "%s, %s" % (name, formula), path, line="not proved  |theta(1/2) - ")
+            number += 1
+    return number
+
+
+def check_work_of_symmetry(here):
+    """Both count the same work: with so many claims that each may just take what it takes both prove them, with one more neither."""
+    path, file, spent = here / "a.cert", here / "a.json", []
+    file.write_text(json.dumps(curve("2*cos(s)", "sin(s)", "cos(2*s)^20/7 + pi*cos(4*s)*(1/123456789)", 0, "2*pi")))
+    run("certify", file, "--up", "0,0,1", "--at", "1/2", "--digits", "5", "-o", path)
+    honest, spend = json.loads(path.read_text()), checker.Waves.spend
+
+    def counted(waves, *arguments):
+        before = waves.room
+        spend(waves, *arguments)
+        spent.append(before - waves.room)
+    checker.Waves.spend = counted
+    expect(0, "symmetry", path)
+    checker.Waves.spend = spend
+    most = checker.MAX_SYMMETRY // sum(spent)
+    for number, status in ((most, 0), (most + 1, 1)):
+        path.write_text(json.dumps({**honest, "claims": honest["claims"] * number}))
+        expect(status, "%d symmetries" % number, path)
 
 
 def check_value(name, value, certificate):
@@ -172,12 +260,12 @@ def check_honest(here):
             sys.exit("%s: %s" % (name, done.stderr))
         expect(0, name, path, curve=file)
         certificate = json.loads(path.read_text())
-        if name in ("trefoil, Frenet", "exp", "corner") or ALL and name not in ("cusp", "mixed"):
+        if name in ("trefoil, Frenet", "exp", "corner", "corner, Frenet") or ALL and name not in ("cusp", "mixed", "raised digits"):
             check_value(name, value, certificate)
         if name == "helix" and abs(Fraction(certificate["claims"][0]["theta"]) - Fraction(  # 4 pi/5
                 "2.51327412287183459077011470662360230773577395")) > Fraction(certificate["claims"][0]["radius"]):
             sys.exit("the helix: %s" % certificate["claims"])
-        if name in ("exp", "log, sqrt and atan", "others", "corner") or ALL and name != "mixed":
+        if name in ("exp", "log, sqrt and atan", "others", "corner", "corner, Frenet") or ALL and name != "mixed":
             check_to_the_last_bit(name, certificate, path)
 
 
@@ -275,7 +363,7 @@ def forgeries_of_path(honest):
     yield "the other way around", 1, joint, changed(lambda c, s: s.reverse())
     yield "v along the tangent", 1, joint, changed(lambda c, s: c.update(up=["1", "1", "0"]))
     yield "v along the other tangent", 1, joint, changed(lambda c, s: c.update(up=["-3", "0", "1"]))
-    yield "Frenet", 1, joint, changed(lambda c, s: [c.update(frame="frenet"), c.pop("up")])
+    yield "Frenet", 1, text, changed(lambda c, s: [c.update(frame="frenet"), c.pop("up")])
     yield "no bits at the joint", 1, "not proved  joint 1, to 2^-0", changed(lambda c, s: s[1]["pieces"][0].update(bits=0))
     yield "fewer bits at the joint", 0, "proved      joint 1, to 2^-30", changed(lambda c, s: s[1]["pieces"].insert(0, {"to": "1/1000000", "order": 4, "bits": 60}))
     yield "too few bits for the turn", 1, "proved      joint 1, to 2^-15", changed(lambda c, s: s[1]["pieces"].insert(0, {"to": "1/1000000", "order": 4, "bits": 30}))
@@ -333,10 +421,33 @@ def check_forged(here):
     return number
 
 
+def check_jump(here):
+    """Where the Frenet frame jumps about the tangent by arctan(4/3) the angle to it is less by that, also where the path turns by a
+    corner: the second segment is like the first one, turned about the x axis and then about an axis normal to that."""
+    first = curve("sin(s)", "1 - cos(s)", "s^3", -1, 0)
+    r = ["sin(s)", "(3*(1 - cos(s))/5 - 4*s^3/5)", "(4*(1 - cos(s))/5 + 3*s^3/5)"]
+    path, file = here / "a.cert", here / "a.json"
+
+    def alone(value):
+        file.write_text(json.dumps(value))
+        return json.loads(run("certify", file, "--frame", "frenet", "--digits", "25").stdout)
+    before = alone(first)
+    k, c, S = [Fraction(x, 5) for x in (0, 4, 3)], Fraction(3, 5), Fraction(4, 5)  # an axis, cosine and sine
+    cross = [[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]]
+    turned = [[c * (i == j) + S * cross[i][j] + (1 - c) * k[i] * k[j] for j in range(3)] for i in range(3)]
+    for matrix in ([[i == j for j in range(3)] for i in range(3)], turned):
+        after = alone(curve(*(" + ".join("(%s)*%s" % (Fraction(x), y) for x, y in zip(row, r) if x) for row in matrix)))
+        total = sum(Fraction(x["claims"][0]["theta"]) for x in (before, after))
+        jump = Fraction("0.92729521800161223242851246")  # arctan(4/3)
+        for status, by in ((0, -jump), (1, jump), (1, 0)):
+            claim = {"t": "2", "theta": "%de-22" % round((total + by) * 10 ** 22), "radius": "1e-20"}
+            path.write_text(json.dumps({**before, "segments": before["segments"] + after["segments"], "claims": [claim]}))
+            expect(status, "jump by %s" % float(by), path)
+
+
 def check_refused(here):
     file = here / "a.json"
-    for value, arguments, words in ((SMOOTH, ["--frame", "frenet"], "formulas"),
-                                    (curve("s", "sin(s)", "0"), ["--frame", "frenet"], "next to t = 0: a divisor may be 0"), (TREFOIL, ["--holonomy"], "PH")):
+    for value, arguments, words in ((CORNER, ["--frame", "frenet"], "jumps"), (curve("s", "sin(s)", "0"), ["--frame", "frenet"], "next to t = 0: a divisor may be 0"), (TREFOIL, ["--holonomy"], "PH")):
         file.write_text(json.dumps(value))
         done = run("certify", file, *arguments)
         if done.returncode not in (2, 3, 4) or words not in done.stderr.splitlines()[-1] or done.stdout:
@@ -360,7 +471,11 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         check_rational(Path(name))
         check_honest(Path(name))
+        print("%d forged certificates of angles that are 0" % check_symmetric(Path(name)))
+        if ALL:
+            check_work_of_symmetry(Path(name))
         print("%d forged certificates of formulas" % check_forged(Path(name)))
+        check_jump(Path(name))
         check_refused(Path(name))
 
 

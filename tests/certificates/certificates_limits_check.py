@@ -148,6 +148,7 @@ def bad():
     yield from integrals()
     yield from closed()
     yield from formulas()
+    yield from symmetric()
     honest = {  # all that is in them is true
         "(t - 1)^20": curve(one, [comb(20, k) * (-1) ** k for k in range(21)]),
         "close zeros of degree 6": curve(one, mignotte(6, 10 ** 40)),
@@ -280,6 +281,32 @@ def formulas():
         yield "formulas: many segments, %d bits" % bits, of_segments(500, part)
         yield "formulas: segments of two kinds, %d bits" % bits, of_segments(500, line, part)
         yield "formulas: long numbers at joints, %d bits" % bits, of_segments(20, {**line, "x": ["0", "1" + "0" * 4000]}, part)
+
+
+def symmetric():
+    """Claims that angles are 0 by a symmetry, which is to be seen from long formulas, long numbers and high degrees, often."""
+    def of_formula(number=1, t="1", symmetry="mirror", z="sin(2*s)"):
+        wave = {"phrame": "curve/1", "expressions": {"x": "cos(s)", "y": "sin(s)", "z": z}, "from": 0, "to": "pi"}
+        claim = {"t": t, "theta": "0", "radius": "0", "symmetry": symmetry}
+        return changed(lambda c: c.update(claims=[claim] * number), json.loads(certified(wave, "--digits", "2", "--up", "0,0,1", "--at", "1/3")))
+    texts_of = {"sines": " + ".join("sin(%d*s)" % k for k in range(1, 7)), "products": "*".join(["sin(s)"] * 9), "a power": "(cos(s) + sin(3*s))^4",
+                "long numbers": "sin(2*s) + cos(s)/" + "7" * 300, "many long numbers": " + ".join("cos(%d*s)/%s" % (k, "7" * 100) for k in range(1, 6)),
+                "powers of s": "(s/4 + (1/9))^8", "a power of pi": "(s/9 + pi)^4*(pi + 1)^3/100", "angles in angles": "sin(" * 4 + "s" + ")" * 4}
+    for name, text in texts_of.items():
+        for number in (1, 100):
+            yield "symmetry: %s, %d times" % (name, number), of_formula(number, z=text)
+    yield "symmetry: 600 claims", of_formula(600)
+    yield "symmetry: 1300 shifts", of_formula(1300, symmetry="1/2")
+    yield "symmetry: a long shift", of_formula(1, symmetry="1/" + "6" * 20000)
+    yield "symmetry: long t", of_formula(20, t="1/3" + "7" * 3000)
+    bump = [[1]]
+    for _ in range(24):
+        bump.append(product(bump[-1], [0, 1, -1]))
+    for degree, number, t in ((3, 1000, "1"), (12, 300, "1"), (24, 60, "1"), (24, 20, "1/3" + "7" * 500), (6, 20, "1/3" + "7" * 3000)):
+        curve = {"phrame": "curve/1", "basis": "power", "position": {"x": texts([0, 1]), "y": texts(bump[2]), "z": texts(bump[degree])}}
+        even = json.loads(certified(curve, "--digits", "2", "--up", "0,0,1"))
+        yield "symmetry: degree %d, %d claims" % (2 * degree, number), changed(
+            lambda c: c.update(claims=[{"t": t, "theta": "0", "radius": "0", "symmetry": "mirror"}] * number), even)
 
 
 def closed():

@@ -54,7 +54,8 @@ SUBJECTS = [  # a curve of the collection or a file, where, of how many numbers 
     (bezier([0, 0, 0], [1, 3, -2], [4, 1, 5], [2, -3, 1]), "0,1/7,1/2,1", 2 * EVERY),  # to the frame of a vector
     (bezier([0, 0, 0], [1, 0, 2], [5, 0, 3], [7, 0, -4]), "0,1/7,1/2,1", 4 * EVERY),  # plane, with numbers that are 0
     ({"phrame": "spline/1", "segments": [bezier([0, 0, 0], [2, 0, 0]), bezier([2, 0, 0], [3, 0, 0], [4, 1, 0], [4, 3, 5]),
-                                         bezier([4, 3, 5], [4, 2, 7])]}, "0,1/7,3/2,2", 2 * EVERY)]  # a line first; at a corner
+                                         bezier([4, 3, 5], [4, 2, 7])]}, "0,1/7,3/2,2", 2 * EVERY),  # a line first; at a corner
+    (bezier([0, 0, 0], [1, 2, 1], [3, 2, 1], [4, 0, 0]), "0,1/3,2/3,1", 2 * EVERY)]  # symmetric, so that the angle is 0 at the end
 
 
 def main():

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/real.hpp"
@@ -114,6 +115,7 @@ class IntegralReader {
     if (s.square.is_zero()) node.at("square").fail("the polynomial is 0");
     const Integer d = length_;
     const Integer a = bits_;
+    if (count_ == 1) std::tie(first_length_, first_bits_) = std::tie(d, a);
     work_ += 3000 * d * d * d * Integer(1 + bits_ / 64) + 2 * d * d * a * a;
     s.pieces = read_list(node.at("pieces"), [this](const JsonNode& item) { return piece(item); });
     return s;
@@ -142,6 +144,7 @@ class IntegralReader {
     const Integer products =
         (derivatives + 1) * (derivatives + 2) / 2 * (coordinates.products + ends.products) + 20;
     const Integer steps_of_all(steps.steps().size() + of_ends.steps().size());
+    if (count_ == 1) first_steps_ = steps_of_all;
     const auto models = [&](const Integer& n, const Integer& b) {
       const Integer x = n * b;
       const Integer product = 2000 + 1000 * n + x * sqrt(x) / 18;
@@ -175,6 +178,18 @@ class IntegralReader {
     work_ += of_t * of_t / 500 + of_value * of_value / 1000 + 1000 * Integer(1 + count_);
     if (has_turns && count_ > 1) work_ += (2 * count_ + 8) * of_radius * of_radius;
     return t;
+  }
+
+  /// Of a claim about t. Precondition: all segments are read.
+  std::optional<Antisymmetry> symmetry(const JsonNode& claim, const Rational& t) {
+    const auto node = claim.find("symmetry");
+    if (!node) return std::nullopt;
+    work_ += first_steps_ * 20000 + 5000 * first_length_ * first_length_ *
+                                        (1 + (first_bits_ + first_length_ * bits_of(t)) / 64);
+    if (node->string() == "mirror") return Antisymmetry{};
+    const Rational shift = exact(*node);
+    if (shift <= 0) node->fail("a shift is positive");
+    return Antisymmetry{shift};
   }
 
   /// Precondition: all is read.
@@ -222,6 +237,10 @@ class IntegralReader {
   long bits_ = 0;     ///< of its coefficients
   long longest_ = 0;  ///< of the rates
   long count_ = 0;    ///< of segments
+  // Of the first segment:
+  Integer first_steps_ = 0;   ///< of its formulas
+  Integer first_length_ = 0;  ///< of its lists
+  Integer first_bits_ = 0;    ///< of its coefficients
   Integer volume_ = 0;
   Integer work_ = 0;
 };
@@ -273,12 +292,14 @@ NamedIntegralCertificate read_integral_certificate(const JsonNode& node, const C
   if (c.segments.empty()) segments.fail("a path has at least one segment");
   const std::string value = c.frame ? "theta" : "length";
   read_list(node.at("claims"), [&](const JsonNode& item) {
-    item.require_known_keys({"t", value, "radius"});
+    std::vector<std::string_view> known{"t", value, "radius"};
+    if (c.frame) known.emplace_back("symmetry");
+    item.require_known_keys(known);
     const std::string number = read_decimal(item.at(value));
     const std::string radius = read_radius(item.at("radius"));
     const Rational t = read.parameter(item.at("t"), number, radius, c.frame == Reference::up);
     if (c.frame)
-      c.angles.push_back({t, number, radius, {}});
+      c.angles.push_back({t, number, radius, {}, read.symmetry(item, t)});
     else
       c.lengths.push_back({t, number, radius});
     return 0;

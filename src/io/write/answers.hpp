@@ -95,5 +95,7 @@ PHRAME_API std::string to_latex(const WronskianAnswer& answer);
 /// @}
 /// A line for each statement of a certificate, and how many are not proved.
 PHRAME_API std::string to_text(const std::vector<Statement>& statements);
+/// "all 17 statements are proved", "1 of 17 statements is not proved".
+PHRAME_API std::string summary(const std::vector<Statement>& statements);
 
 }  // namespace phrame

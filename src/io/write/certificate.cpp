@@ -58,6 +58,8 @@ JsonOutput json_of(const AngleClaim& claim) {
   if (claim.turn)
     json["turn"] = {{"index", claim.turn->index},
                     {"signs", {claim.turn->at_zero, claim.turn->at_t}}};
+  if (claim.symmetry)
+    json["symmetry"] = claim.symmetry->shift ? to_string(*claim.symmetry->shift) : "mirror";
   return json;
 }
 

@@ -38,11 +38,15 @@ std::string to_text(const std::vector<Statement>& statements) {
     text += objection.empty() ? fmt::format("proved      {}\n", name)
                               : fmt::format("not proved  {}: {}\n", name, objection);
   }
+  return text + summary(statements) + "\n";
+}
+
+std::string summary(const std::vector<Statement>& statements) {
   const auto not_proved = std::count_if(statements.begin(), statements.end(),
                                         [](const Statement& s) { return !s.is_proved(); });
-  return text + (not_proved == 0 ? fmt::format("all {} statements are proved\n", statements.size())
-                                 : fmt::format("{} of {} statements {} not proved\n", not_proved,
-                                               statements.size(), not_proved == 1 ? "is" : "are"));
+  return not_proved == 0 ? fmt::format("all {} statements are proved", statements.size())
+                         : fmt::format("{} of {} statements {} not proved", not_proved,
+                                       statements.size(), not_proved == 1 ? "is" : "are");
 }
 
 }  // namespace phrame

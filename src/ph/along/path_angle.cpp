@@ -12,8 +12,10 @@
 #include "phrame/algebra/progress.hpp"
 #include "phrame/algebra/recent.hpp"
 #include "phrame/algebra/shared.hpp"
+#include "phrame/ph/along/antisymmetric_rate.hpp"
 #include "phrame/ph/along/curvature.hpp"
 #include "phrame/ph/along/plane_turns.hpp"
+#include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/along/reduced_angle.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/along/up_vector.hpp"
@@ -139,6 +141,7 @@ struct PHRAME_INSIDE PathAngle::State {
     return at.segment == still_segments && at.t.exact() == Rational(0) &&
            !corner_turns.contains(at.segment);
   }
+  std::optional<Antisymmetry> antisymmetry_up_to(const Place& at);
   RealBall sum_before(std::size_t segment, long bits);
   RealBall enclose(const Place& at, long bits);
   RealBall enclose(const Place& at, const Real& start, long bits);
@@ -249,6 +252,38 @@ RealBall PathAngle::State::enclose(const Place& at, long bits) {
     if (sum.is_accurate(bits)) return sum;
     if (more > most) throw Undecided("the angle was not found to so many bits");
   }
+}
+
+/// Why θ there is 0, where none has turned before that segment, which is no PH curve. What the
+/// rates at a few places exclude is not looked into.
+std::optional<Antisymmetry> PathAngle::State::antisymmetry_up_to(const Place& at) {
+  const std::optional<Rational>& t = at.t.exact();
+  if (at.segment > still_segments || closed_forms[at.segment] || !t || *t <= 0 ||
+      corner_turns.contains(at.segment))
+    return std::nullopt;
+  const Segment& segment = path.segments()[at.segment];
+  constexpr long most_work = 1'000'000'000;
+  constexpr long bits = 64;
+  const auto rate = [along = other(at.segment)](const Rational& s) {
+    return along->rate(RealBall(s, bits), bits);
+  };
+  const RealBall at_start = rate(0);
+  const RealBall at_t = rate(*t);
+  const bool may_be_mirrored = add(at_start, at_t, bits).contains(Rational(0));
+  const bool may_be_shifted = at_start.overlaps(at_t);
+  if (!may_be_mirrored && !may_be_shifted) return std::nullopt;
+  return find_antisymmetry(*t, [&](const Antisymmetry& symmetry) {
+    const auto& shift = symmetry.shift;
+    if (shift ? !may_be_shifted || !add(at_start, rate(*shift), bits).contains(Rational(0))
+              : !may_be_mirrored)
+      return false;
+    if (const auto* formulas = std::get_if<ExpressionCurve>(&segment))
+      return has_antisymmetry(formulas->position(), formulas->from(), formulas->to(), measure.up,
+                              *t, symmetry, most_work);
+    const RationalCurve* curve = rational_curve(segment);
+    return has_antisymmetry(
+        measure.up ? up_frame_turning(*curve, *measure.up) : frenet_turning(*curve), *t, symmetry);
+  });
 }
 
 RealBall PathAngle::State::enclose(const Place& at, const Real& start, long bits) {
@@ -376,6 +411,7 @@ Real PathAngle::value(const Place& at, const StartAngle& start) const {
     if (at.t.exact()) return exact_value({at.segment, *at.t.exact()}, *start.exact);
     if (closed->is_zero()) return exact_value({at.segment, 0}, *start.exact);
   }
+  if (!form && state_->antisymmetry_up_to(at)) return start.value;
   const auto enclosure = [*this, at](long bits) { return enclose(at, bits); };
   const Real theta = form ? real_angle(enclosure, *std::move(form), at.t.origin().bits)
                           : Real(enclosure, {false, at.t.origin().bits});

@@ -10,6 +10,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/grid_quotient.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/antisymmetric_rate.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/proof/integral_laws.hpp"
@@ -208,7 +209,17 @@ PathParameter last_part(std::size_t count, const Rational& t) {
   return at.t == 0 && at.segment > 0 ? PathParameter{at.segment - 1, 1} : at;
 }
 
-/// add(t, stated) makes the claims; `is_zero` says that all of them are 0.
+/// Why the angle is 0 at t ≠ 0, as far as it is seen.
+std::optional<Antisymmetry> symmetry_up_to(const IntegralCertificate& c, const Rational& t,
+                                           std::size_t claims) {
+  if (t > 1) return std::nullopt;
+  const DirectedCurve curve = directed_curve(c.segments.front());
+  return find_antisymmetry(t, [&](const Antisymmetry& symmetry) {
+    return objection_to_symmetry(c, curve, t, symmetry, claims).empty();
+  });
+}
+
+/// add(t, stated, symmetry) makes the claims; `is_zero` says that all of them are 0.
 template <class Value, class Add>
 IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rational>& at, long digits,
                                 bool is_zero, const Value& value, const Add& add) {
@@ -216,26 +227,32 @@ IntegralCertificate with_claims(IntegralCertificate c, const std::vector<Rationa
   PathParameter end{0, 0};
   const std::size_t count = c.segments.size();
   const bool has_models = has_formulas(c);
+  const bool is_found_to_be_zero = is_zero && !has_models;
   for (const Rational& t : at) {
-    const PathParameter at_t = locate_inside(count, t);
-    StatedNumber stated = stated_number(value(Place(at_t)), digits, is_zero || t == 0, spare_bits);
-    if (is_zero && has_models && t != 0) {
-      // Models do not show that something is 0.
-      stated.slack = power_of_ten(-digits);
-      stated.radius = upper_bound_text(stated.slack, 1);
+    const Real exact = value(Place(locate_inside(count, t)));
+    std::optional<Antisymmetry> symmetry;
+    StatedNumber stated{"0", "0", 0};
+    if (t != 0 && !is_found_to_be_zero && exact.exact() == Rational(0)) {
+      symmetry = symmetry_up_to(c, t, at.size());
+      if (!symmetry) {
+        stated.slack = power_of_ten(-digits);
+        stated.radius = upper_bound_text(stated.slack, 1);
+      }
+    } else {
+      stated = stated_number(exact, digits, is_found_to_be_zero || t == 0, spare_bits);
     }
-    add(c, t, stated);
+    add(c, t, stated, symmetry);
     if (t == 0) continue;
     const PathParameter place = last_part(count, t);
     if (std::pair(place.segment, place.t) > std::pair(end.segment, end.t)) end = place;
-    if (!slack || stated.slack < *slack) slack = stated.slack;
+    if (!symmetry && (!slack || stated.slack < *slack)) slack = stated.slack;
   }
   if (has_models) {
     const Rational half = slack.value_or(1) / 2;
     find_model_pieces(c, half);
     slack = half;
   }
-  if (slack) find_pieces(c, end, *slack > 0 ? *slack : Rational(1));
+  if (end.t != 0) find_pieces(c, end, slack && *slack > 0 ? *slack : Rational(1));
   return c;
 }
 
@@ -247,16 +264,13 @@ IntegralCertificate certify(const PathAngle& angle, const std::vector<Rational>&
     throw DomainError("certify: this angle is to the Euler-Rodrigues frame");
   IntegralCertificate c = without_pieces(path);
   c.frame = angle.reference();
-  if (c.frame == Reference::frenet && c.segments.size() > 1 && has_formulas(c))
-    throw DomainError(
-        "certify: of paths with segments by formulas there is none to the Frenet frame; --frame up "
-        "has one");
   if (c.frame == Reference::up) c.up = angle.up();
   return with_claims(
       std::move(c), at, digits, angle.is_zero(),
       [&](const Place& place) { return angle.value(place); },
-      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
-        to.angles.push_back({t, stated.value, stated.radius, {}});
+      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated,
+         const std::optional<Antisymmetry>& symmetry) {
+        to.angles.push_back({t, stated.value, stated.radius, {}, symmetry});
       });
 }
 
@@ -265,7 +279,7 @@ IntegralCertificate certify_length(const Path& path, const std::vector<Rational>
   return with_claims(
       without_pieces(path), at, digits, false,
       [&](const Place& place) { return length.value(place); },
-      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated) {
+      [](IntegralCertificate& to, const Rational& t, const StatedNumber& stated, const auto&) {
         to.lengths.push_back({t, stated.value, stated.radius});
       });
 }

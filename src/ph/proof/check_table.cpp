@@ -56,7 +56,8 @@ std::string objection_to_rows(const PathAngle& angle, const std::vector<AngleCla
     if (!goes_on(path) && (claim.t < 0 || claim.t > path.end())) return "a t is not on the path";
     const PathParameter place = locate(path, claim.t);
     const Place at{place.segment, place.t};
-    const bool is_exact = is_zero(claim.t);
+    const bool is_exact =
+        is_zero(claim.t) || (parse_rational(claim.theta) == 0 && parse_rational(claim.radius) == 0);
     if (!is_exact && parse_rational(claim.radius) >= 1)
       return fmt::format("the angle is known to {} only", claim.radius);
     const Rational slack =

@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/along/antisymmetric_rate.hpp"
 #include "phrame/ph/curve/corner.hpp"
 #include "phrame/ph/curve/formula_jet.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
@@ -55,6 +56,9 @@ Polynomial polynomial_of(const GridPolynomial& p) {
   return power_of_two(-p.bits) * Polynomial(std::vector<Rational>(p.terms.begin(), p.terms.end()));
 }
 
+/// What may be spent on the symmetries of all claims along formulas.
+constexpr long most_symmetry_work = 4'000'000'000;
+
 const std::string no_line = "a straight line has no Frenet frame";
 
 /// Taylor models of vectors.
@@ -88,29 +92,43 @@ Vector<TaylorModel> over_greatest(const Vector<Rational>& v, const TaylorModels&
 struct ModelEnd {
   Vector<TaylorModel> position;
   Vector<TaylorModel> direction;  ///< e₁, of any length
+  Vector<TaylorModel> binormal;   ///< with the Frenet frame: that or the opposite, of any length
 };
 
 /// At t = 0 or 1. Throws Undecided. Precondition: a weight is not 0 there.
-ModelEnd end_of(const CertifiedSegment& segment, const DirectedCurve& curve, long t,
+ModelEnd end_of(const CertifiedSegment& segment, const DirectedCurve& curve, long t, bool is_frenet,
                 const TaylorModels& m) {
   ModelEnd end;
   if (const auto* s = std::get_if<IntegralSegment>(&segment)) {
     for (std::size_t k = 0; k < 3; ++k)
       end.position[k] = m.number(s->position[k](t) / s->weight(t));
     end.direction = over_greatest(evaluate(curve.direction, t), m);
+    if (is_frenet) end.binormal = over_greatest(evaluate(split_binormal(curve.direction).b, t), m);
     return end;
   }
   const auto& formulas = std::get<FormulaSegment>(segment);
   FormulaJets constants(m, ModelJet(1));
   const TaylorModel from = constants.of(formulas.from)[0];
   const TaylorModel to = constants.of(formulas.to)[0];
-  FormulaJets jets(m, {t == 0 ? from : to, m.subtract(to, from)});
+  ModelJet variable{t == 0 ? from : to, m.subtract(to, from)};
+  if (is_frenet) variable.emplace_back();
+  FormulaJets jets(m, variable);
+  Vector<TaylorModel> bend;
   for (std::size_t k = 0; k < 3; ++k) {
     const ModelJet jet = jets.of(formulas.position[k]);
     end.position[k] = jet[0];
     end.direction[k] = m.multiply(curve.multiplier(0), jet[1]);
+    if (is_frenet) bend[k] = jet[2];
   }
+  if (is_frenet) end.binormal = VectorModels(m).cross(end.direction, bend);
   return end;
+}
+
+/// Of length 1. Throws Undecided.
+Vector<TaylorModel> unit_of(Vector<TaylorModel> c, const TaylorModels& m) {
+  const TaylorModel size = m.inverse(m.sqrt(VectorModels(m).dot(c, c)));
+  for (TaylorModel& x : c) x = m.multiply(x, size);
+  return c;
 }
 
 /// By how much the angle to the frame of v grows where the least rotation takes e₁ from along a to
@@ -119,13 +137,8 @@ ModelEnd end_of(const CertifiedSegment& segment, const DirectedCurve& curve, lon
 TaylorModel turn_of(const Vector<Rational>& up, const Vector<TaylorModel>& along_a,
                     const Vector<TaylorModel>& along_b, const TaylorModels& m) {
   const VectorModels on(m);
-  const auto unit = [&](Vector<TaylorModel> c) {
-    const TaylorModel size = m.inverse(m.sqrt(on.dot(c, c)));
-    for (TaylorModel& x : c) x = m.multiply(x, size);
-    return c;
-  };
-  const Vector<TaylorModel> a = unit(along_a);
-  const Vector<TaylorModel> b = unit(along_b);
+  const Vector<TaylorModel> a = unit_of(along_a, m);
+  const Vector<TaylorModel> b = unit_of(along_b, m);
   const Vector<TaylorModel> v = over_greatest(up, m);
   const TaylorModel d = on.dot(v, on.cross(a, b));
   const TaylorModel C =
@@ -134,6 +147,24 @@ TaylorModel turn_of(const Vector<Rational>& up, const Vector<TaylorModel>& along
   const TaylorModel S = m.multiply(d, m.add(on.dot(v, a), on.dot(v, b)));
   const TaylorModel size = m.sqrt(m.add(m.multiply(C, C), m.multiply(S, S)));
   return m.multiply(-2, m.atan(m.multiply(S, m.inverse(m.add(size, C)))));
+}
+
+/// The same of the Frenet frame, up to half a turn: the binormal B becomes B − (B·b)(a + b)/(1 +
+/// a·b), which, times 1 + a·b, has the components C and S along the new one and b × that.
+TaylorModel turn_of_frenet(const ModelEnd& before, const ModelEnd& after, const TaylorModels& m) {
+  const VectorModels on(m);
+  const Vector<TaylorModel> a = unit_of(before.direction, m);
+  const Vector<TaylorModel> b = unit_of(after.direction, m);
+  const Vector<TaylorModel> B = unit_of(before.binormal, m);
+  const Vector<TaylorModel> to = unit_of(after.binormal, m);
+  const TaylorModel c = m.add(m.number(1), on.dot(a, b));
+  const TaylorModel along = on.dot(B, b);
+  const auto part = [&](const Vector<TaylorModel>& w) {
+    return m.subtract(m.multiply(c, on.dot(B, w)),
+                      m.multiply(along, m.add(on.dot(a, w), on.dot(b, w))));
+  };
+  m.least(c, "the tangent turns back");
+  return m.atan(m.multiply(part(on.cross(b, to)), m.inverse(part(to))));
 }
 
 /// Of the segments beside joint k that are by formulas the least bits of the pieces there; none if
@@ -161,17 +192,17 @@ std::string objection_to_joint(const IntegralCertificate& c, std::size_t k, long
   if (a != nullptr && a->weight(1) == 0) return "the weight of the segment before is 0 at its end";
   try {
     const TaylorModels m(2, bits);
-    const ModelEnd end = end_of(c.segments[k - 1], before, 1, m);
-    const ModelEnd start = end_of(c.segments[k], after, 0, m);
+    const bool is_frenet = c.frame == Reference::frenet;
+    const ModelEnd end = end_of(c.segments[k - 1], before, 1, is_frenet, m);
+    const ModelEnd start = end_of(c.segments[k], after, 0, is_frenet, m);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const TaylorModel gap = m.subtract(start.position[axis], end.position[axis]);
       if (abs(gap.constant()) + gap.radius > numerator(power_of_two(bits - bits / 2)))
         return "the segment does not begin where the one before ends";
     }
-    if (c.frame == Reference::frenet)
-      return "beside formulas the Frenet frame is not told to go on";
-    if (c.frame != Reference::up) return "";
-    const TaylorModel turn = turn_of(c.up, end.direction, start.direction, m);
+    if (!c.frame) return "";
+    const TaylorModel turn = is_frenet ? turn_of_frenet(end, start, m)
+                                       : turn_of(c.up, end.direction, start.direction, m);
     const Rational unit = power_of_two(-bits);
     after.turn_of_models = {Rational(turn.constant() - turn.radius) * unit,
                             Rational(turn.constant() + turn.radius) * unit};
@@ -295,6 +326,25 @@ std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, 
   if (g.is_zero()) return no_line;
   const Polynomial turn = exact_quotient(dot(B, differentiate(differentiate(H))), g);
   return RootQuotient{-(turn * root * S), dot(B, B), S};
+}
+
+std::string objection_to_symmetry(const IntegralCertificate& c, const DirectedCurve& curve,
+                                  const Rational& t, const Antisymmetry& symmetry,
+                                  std::size_t claims) {
+  if (!c.frame) return "lengths have no such symmetry";
+  if (symmetry.shift && denominator(t / (2 * *symmetry.shift)) != 1)
+    return "t is no multiple of twice the shift";
+  constexpr const char* none = "the rate does not have that symmetry";
+  if (const auto* formulas = std::get_if<FormulaSegment>(&c.segments.front())) {
+    const auto v = c.frame == Reference::up ? std::optional(c.up) : std::nullopt;
+    const Integer most = most_symmetry_work / Integer(claims);
+    return unless(
+        has_antisymmetry(formulas->position, formulas->from, formulas->to, v, t, symmetry, most),
+        none);
+  }
+  const auto f = integrand(c, 0, curve);
+  if (const auto* objection = std::get_if<std::string>(&f)) return *objection;
+  return unless(has_antisymmetry(std::get<RootQuotient>(f), t, symmetry), none);
 }
 
 Polynomial on_piece(const Polynomial& p, const Rational& from, const Rational& to) {

@@ -39,6 +39,12 @@ std::string objection_to_joint(const IntegralCertificate& c, std::size_t k,
 std::variant<RootQuotient, std::string> integrand(const IntegralCertificate& c, std::size_t k,
                                                   const DirectedCurve& curve);
 
+/// Why the angle along the first segment is not proved to be 0 at t in (0, 1], by its symmetry; or
+/// "". There are so many claims in all, which share what may be spent on it.
+std::string objection_to_symmetry(const IntegralCertificate& c, const DirectedCurve& curve,
+                                  const Rational& t, const Antisymmetry& symmetry,
+                                  std::size_t claims);
+
 /// What one piece proves.
 class PieceProof {
  public:

@@ -40,20 +40,22 @@ RationalQuaternion step_between(const Curve& before, const Curve& after) {
          evaluate(without_real_content(after.preimage()), 0);
 }
 
-bool is_corner(const Curve& before, const Curve& after) {
-  const RationalQuaternion step = step_between(before, after);
-  return step.p != 0 || step.q != 0;
-}
+/// One segment behind another one.
+struct SegmentJoint {
+  std::string objection;   ///< why it does not go on from that; empty where it does
+  bool is_corner = false;  ///< where both have values there
+};
 
-std::string objection_to_joint(const Curve& before, const Curve& after) {
-  if (before.weight()(1) == 0) return "the weight of the segment before is 0 at its end";
-  if (end_point(before) != after.start())
-    return "the segment does not begin where the one before ends";
+SegmentJoint joint_of(const Curve& before, const Curve& after) {
+  if (before.weight()(1) == 0) return {"the weight of the segment before is 0 at its end"};
   const RationalQuaternion step = step_between(before, after);
-  if (step.v != 0 || step.u == 0) return "the Euler-Rodrigues frame does not go on";
-  return unless(!is_corner(before, after) ||
-                    sign_before_one(before.multiplier()) == sign_after_zero(after.multiplier()),
-                "the tangent changes its side at the corner");
+  const bool is_corner = step.p != 0 || step.q != 0;
+  if (end_point(before) != after.start())
+    return {"the segment does not begin where the one before ends", is_corner};
+  if (step.v != 0 || step.u == 0) return {"the Euler-Rodrigues frame does not go on", is_corner};
+  const bool is_turned_over =
+      is_corner && sign_before_one(before.multiplier()) != sign_after_zero(after.multiplier());
+  return {is_turned_over ? "the tangent changes its side at the corner" : "", is_corner};
 }
 
 /// Sums of what the segments claim, from the start to each joint, and what they lack.
@@ -169,10 +171,10 @@ std::vector<Statement> verify(const PathCertificate& c) {
   std::size_t joined = 0;  // the last joint up to which all are proved
   bool is_smooth = true;
   for (std::size_t k = 1; k < c.segments.size(); ++k) {
-    const std::string objection = objection_to_joint(c.segments[k - 1].curve, c.segments[k].curve);
-    if (objection.empty() && joined + 1 == k) joined = k;
-    if (is_corner(c.segments[k - 1].curve, c.segments[k].curve)) is_smooth = false;
-    list.push_back({fmt::format("joint {}", k), objection});
+    SegmentJoint joint = joint_of(c.segments[k - 1].curve, c.segments[k].curve);
+    if (joint.objection.empty() && joined + 1 == k) joined = k;
+    if (joint.is_corner) is_smooth = false;
+    list.push_back({fmt::format("joint {}", k), std::move(joint.objection)});
   }
   const SegmentSums sums(c.segments);
   const auto sum_at = [&](const PathParameter& at) -> std::variant<ClaimedSum, std::string> {
@@ -206,10 +208,10 @@ std::variant<Path, std::string> path_of(const PathCertificate& c) {
   std::vector<Segment> segments{PhSegment(c.segments.front().curve)};
   std::vector<std::size_t> corners;
   for (std::size_t k = 1; k < c.segments.size(); ++k) {
-    const Curve& before = c.segments[k - 1].curve;
     const Curve& curve = c.segments[k].curve;
-    if (!objection_to_joint(before, curve).empty()) return "rests on the joints";
-    if (is_corner(before, curve)) corners.push_back(k);
+    const SegmentJoint joint = joint_of(c.segments[k - 1].curve, curve);
+    if (!joint.objection.empty()) return "rests on the joints";
+    if (joint.is_corner) corners.push_back(k);
     segments.emplace_back(PhSegment(curve));
   }
   return Path::of_continuous(std::move(segments), std::move(corners));

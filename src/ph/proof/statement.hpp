@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "phrame/algebra/sturm.hpp"
+#include "phrame/ph/along/antisymmetry.hpp"
 
 namespace phrame::inline v0 {
 
@@ -13,6 +14,8 @@ struct AngleClaim {
   std::string theta;              ///< a decimal
   std::string radius;             ///< a decimal
   std::optional<TurnCount> turn;  ///< of the argument of the bend, with the Frenet frame
+  /// Of an IntegralCertificate: why the integral up to t ≤ 1 is 0.
+  std::optional<Antisymmetry> symmetry = {};
   friend bool operator==(const AngleClaim&, const AngleClaim&) = default;
 };
 

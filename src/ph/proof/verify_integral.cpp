@@ -87,6 +87,10 @@ class SegmentProof {
     return all;
   }
 
+  std::string objection_to_symmetry(const Rational& t, const Antisymmetry& symmetry) const {
+    return phrame::objection_to_symmetry(c_, curve_, t, symmetry, c_.angles.size());
+  }
+
   /// The same by Taylor series in balls of 1/√S and 1/D.
   RealBall by_series(const Rational& t, long bits) {
     if (!series_) series_ = series();
@@ -161,10 +165,13 @@ class SegmentProof {
   std::optional<Series> series_;
 };
 
-/// |the integral from 0 to t, and the turns of the corners up to there − value| ≤ radius.
+/// |the integral from 0 to t, and the turns of the corners up to there − value| ≤ radius. With a
+/// symmetry the integral is 0.
 std::string objection_to_claim(std::vector<SegmentProof>& segments, const Rational& t,
-                               const Rational& value, const Rational& radius) {
+                               const Rational& value, const Rational& radius,
+                               const std::optional<Antisymmetry>& symmetry = {}) {
   if (t < 0 || t > Rational(static_cast<long>(segments.size()))) return "t is not on the path";
+  if (symmetry && (t == 0 || t > 1)) return "a symmetry is one of the first segment";
   IntegralBounds sum;
   const auto each = [&](const auto& does) -> std::string {
     for (std::size_t k = 0; Rational(static_cast<long>(k)) < t; ++k) {
@@ -177,6 +184,10 @@ std::string objection_to_claim(std::vector<SegmentProof>& segments, const Ration
   };
   std::string objection =
       each([&](SegmentProof& segment, const Rational& to) { sum += segment.bounds(to); });
+  if (objection.empty() && symmetry) {
+    objection = segments.front().objection_to_symmetry(t, *symmetry);
+    sum = {};
+  }
   if (!objection.empty()) return objection;
   const long bits = 128 + (radius == 0 ? 0 : std::max(0L, -binary_exponent(radius))) +
                     std::max(0L, binary_exponent(abs(value) + 1));
@@ -214,12 +225,12 @@ std::vector<Statement> verify(const IntegralCertificate& c) {
     const auto& statements = segments.back().statements();
     list.insert(list.end(), statements.begin(), statements.end());
   }
-  const auto decide = [&](const auto& claim, const std::string& value) {
-    list.push_back({claim, objection_to_claim(segments, claim.t, parse_rational(value),
+  for (const AngleClaim& claim : c.angles)
+    list.push_back({claim, objection_to_claim(segments, claim.t, parse_rational(claim.theta),
+                                              parse_rational(claim.radius), claim.symmetry)});
+  for (const LengthClaim& claim : c.lengths)
+    list.push_back({claim, objection_to_claim(segments, claim.t, parse_rational(claim.length),
                                               parse_rational(claim.radius))});
-  };
-  for (const AngleClaim& claim : c.angles) decide(claim, claim.theta);
-  for (const LengthClaim& claim : c.lengths) decide(claim, claim.length);
   return list;
 }
 
