@@ -212,7 +212,7 @@ def check_value(name, value, certificate):
         if name == "trefoil, Frenet":  # the trapezoidal rule of a period converges geometrically
             total += sum(rate(given, a + (b - a) * k / 150) for k in range(150)) * (b - a) / 150
         else:
-            total += mp.quadgl(lambda s: rate(given, s), mp.linspace(a, b, 13 if name == "helix" else 3), maxdegree=3)
+            total += mp.quadgl(lambda s: rate(given, s), mp.linspace(a, b, 41 if "shift" in name else 13 if name == "helix" else 3), maxdegree=3)
         if name == "corner" and before:
             total += turn(before, derivatives(given, a)[0])
         before = derivatives(given, b)[0]

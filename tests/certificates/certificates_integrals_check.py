@@ -222,7 +222,7 @@ def check_values(name, value, certificate, stops):
             end = min(max(t - k, Fraction(0)), Fraction(1))
             ends = [mp.mpf(0)] + [x for x in map(mp.mpf, stops) if x < curves.number(end)] + [curves.number(end)]
             for a, b in zip(ends, ends[1:]):
-                if frame != "none" and k == 0 and a in map(mp.mpf, stops) and "cusp" in name:
+                if frame != "none" and k == 0 and a in map(mp.mpf, stops) and "cusp" in name and "near" not in name:
                     sign = -sign  # behind a cusp e1 is -r'/|r'|
                 if a < b:
                     step = (b - a) / 32
