@@ -197,13 +197,21 @@ class PARI(System):
     name, command, version_option = "PARI/GP", ["gp", "-q", "-f"], "--version-short"
     value = "v = intnum(x = 0, 1, subst(P, t, x)/subst(Q, t, x))", 'print("@value ", v);'
     script = """
-default(realprecision, 57);
+default(realprecision, 57); default(parisizemax, "4G");
 f = %(f)s; P = numerator(f); Q = denominator(f);
 gettime();
 for(k = 1, %(count)d, %(work)s);
-print("@time ", gettime()/1000./%(count)d);
+print("@time ", strprintf("%%.9f", gettime()/1000./%(count)d));
 %(report)s
 """
+
+
+class RothsteinTragerPARI(PARI):
+    """The residues are the roots z of the resultant of n - zd' and d, and of each factor of it the logarithm is of a gcd over ℚ[z]."""
+    variant = ", Rothstein–Trager"
+    closed = ("R = polresultant(P - z*Q', Q, t); F = [gcd(Q*Mod(1, s), P - Mod(z, s)*Q') | s <- factor(R)[, 1]~]",
+              'if(vecmin(apply(poldegree, F)) > 0, print("@closed"))')
+    value = None
 
 
 class OfPolynomials(OfPython):
@@ -274,7 +282,7 @@ integral(n, d)
 
 
 SYSTEMS = {"sympy": SymPy, "sympy-complex": ComplexSymPy, "maxima": Maxima, "fricas": FriCAS, "fricas-sum": SummingFriCAS,
-           "giac": Giac, "pari": PARI, "python-flint": PythonFlint, "scipy": SciPy, "numba": Numba}
+           "giac": Giac, "pari": PARI, "pari-rothstein-trager": RothsteinTragerPARI, "python-flint": PythonFlint, "scipy": SciPy, "numba": Numba}
 
 
 class Failed(Exception):
@@ -308,7 +316,7 @@ def run(command, script, seconds):
         except ProcessLookupError:
             pass
         process.wait()
-    if process.returncode < 0 and spent() - before >= seconds:
+    if said(text, "time") is None and spent() - before >= seconds:  # PARI ends by itself then
         raise Failed(f"> {seconds:g} s")
     return text
 
@@ -429,7 +437,8 @@ def options():
 def main():
     chosen = options()
     start, version = phrame(chosen.program, "--version")
-    heads, columns, missing = ["degree / m", version.strip()], [], []
+    rothstein_trager = "--form", "rothstein-trager"
+    heads, columns, missing = ["degree / m", version.strip(), " ".join(rothstein_trager)], [], []
     for system in (SYSTEMS[key]() for key in dict.fromkeys(chosen.systems.split(","))):
         version = system.version()
         if version is None:
@@ -443,7 +452,8 @@ def main():
         text = json.dumps({"phrame": "curve/1", "basis": "power", "preimage": dict(zip("uvpq", preimage(m)))})
         form, _ = phrame(chosen.program, "angle", "-", text=text)
         value, answer = phrame(chosen.program, "angle", "-", "--at", "1", "--digits", str(DIGITS), "--print", "json", text=text)
-        pairs = [(duration(form), duration(value))]
+        sums, _ = phrame(chosen.program, "angle", "-", *rothstein_trager, text=text)
+        pairs = [(duration(form), duration(value)), (duration(sums), "—")]
         for column in columns:
             if sys.stderr.isatty():
                 print(f"m = {m}: {column.system.name}{column.system.variant}", file=sys.stderr)
