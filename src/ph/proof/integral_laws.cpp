@@ -11,6 +11,7 @@
 #include "phrame/ph/curve/formula_jet.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/proof/check_decisions.hpp"
 
 namespace phrame::inline v0 {
 namespace {
