@@ -172,6 +172,18 @@ def test_where_an_offset_runs_along_itself():
     assert answer["complete"] and len(answer["coincident"]) == 1
 
 
+# Along a line with x = 3t + 2t^3, round, and again with x = 2t^2 + 6t - 3.
+def test_lines_along_each_other_up_to_irrational_parameters():
+    way = [[5, 0], [5, 4], [-3, 4], [-3, 0]]
+    points = [[[0, 0], [1, 0], [2, 0], [5, 0]], *([a, b] for a, b in zip(way, way[1:])), [[-3, 0], [0, 0], [5, 0]]]
+    path = phrame.Path.from_json(json.dumps({"phrame": "spline/1", "segments": [{"control_points": p} for p in points]}))
+    (found,) = path.offset("1/2").coincident
+    assert found.first == (0, 1)
+    assert [round(float(t), 12) for t in found.second] == [round(4 + (math.sqrt(15) - 3) / 2, 12), 5]
+    (branch,) = path.offset("1/2", trim=True).branches
+    assert branch.is_closed and round(float(branch.length), 12) == round(24 + math.pi, 12)
+
+
 def test_branches_of_what_is_trimmed():
     found = TRIANGLE.offset("-1/2", trim=True)
     (branch,) = found.branches

@@ -118,9 +118,8 @@ class OffsetReport {
     for (const KnownMeeting& x : found.touching)
       add_meeting(x.first_segment, enclose(x.first_t, bits), x.second_segment,
                   enclose(x.second_t, bits), !x.crosses);
-    const auto place = [&](std::size_t piece, const Rational& t) {
-      return OffsetAnswer::Place{parameter(piece, RealBall(t, bits)),
-                                 offset_.pieces[piece].is_join};
+    const auto place = [&](std::size_t piece, const RealAlgebraic& t) {
+      return OffsetAnswer::Place{parameter(piece, enclose(t, bits)), offset_.pieces[piece].is_join};
     };
     for (const CoincidentParts& x : found.coincident)
       part.coincident.push_back(

@@ -53,11 +53,11 @@ struct KnownMeeting {
 /// Two parts of a curve that are one set of points: from and to are one point each.
 struct CoincidentParts {
   std::size_t first_segment;   ///< the segment of one
-  Rational first_from;         ///< where it starts there
-  Rational first_to;           ///< and ends, at a greater parameter
+  RealAlgebraic first_from;    ///< where it starts there
+  RealAlgebraic first_to;      ///< and ends, at a greater parameter
   std::size_t second_segment;  ///< that of the other, which is not before it
-  Rational second_from;        ///< likewise
-  Rational second_to;          ///< less than second_from where it goes the other way
+  RealAlgebraic second_from;   ///< likewise
+  RealAlgebraic second_to;     ///< less than second_from where it goes the other way
 };
 /// Where a plane curve meets itself.
 struct SelfIntersections {

@@ -191,8 +191,8 @@ class Trimmer {
       for (const auto& [s, t] :
            {std::pair(x.first_from, x.second_from), std::pair(x.first_to, x.second_to)}) {
         const std::size_t place = classes_.add();
-        add_event(x.first_segment, s, place);
-        add_event(x.second_segment, t, place);
+        add_event(x.first_segment, to_real(s), place);
+        add_event(x.second_segment, to_real(t), place);
       }
   }
 
@@ -218,10 +218,7 @@ class Trimmer {
     SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
     coincident_ = std::move(found.coincident);
     add_coincidences();
-    if (found.is_cut_off)
-      throw Undecided(
-          function_ +
-          ": branches touch at too many places, or coincide up to irrational parameters");
+    if (found.is_cut_off) throw Undecided(function_ + ": branches touch at too many places");
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
       if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))
@@ -245,8 +242,8 @@ class Trimmer {
 
   /// Is what happens there told of an earlier piece that it coincides with?
   bool is_repeated(std::size_t piece, const RealBall& t) const {
-    const auto is_inside = [&](const Rational& from, const Rational& to) {
-      return from < t.lower() && t.upper() < to;
+    const auto is_inside = [&](const RealAlgebraic& from, const RealAlgebraic& to) {
+      return compare(from, t.lower()) < 0 && compare(to, t.upper()) > 0;
     };
     return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
       return x.second_segment == piece &&
@@ -340,7 +337,8 @@ class Trimmer {
   /// Is it on an earlier piece, too, that goes the same way? Of what is there twice one is left.
   bool is_doubled(std::size_t piece, const Rational& t) const {
     return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
-      return x.second_segment == piece && x.second_from < t && t < x.second_to;
+      return x.second_segment == piece && compare(x.second_from, t) < 0 &&
+             compare(x.second_to, t) > 0;
     });
   }
 

@@ -103,16 +103,11 @@ std::vector<CoincidentParts> parts_along(const Bivariate& factor, std::size_t fi
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const auto middle = partner(factor, (cuts[k] + cuts[k + 1]) / 2);
     if (cuts[k] == cuts[k + 1] || !middle || *middle <= 0 || *middle >= 1) continue;
-    const CoincidentParts found{first,
-                                cuts[k],
-                                cuts[k + 1],
-                                second,
-                                *partner(factor, cuts[k]),
-                                *partner(factor, cuts[k + 1])};
+    const Rational from = *partner(factor, cuts[k]);
+    const Rational to = *partner(factor, cuts[k + 1]);
     // Of one curve the earlier part first, or all of what is gone along there and back.
-    const bool is_twin =
-        first == second && found.first_from + found.first_to > found.second_from + found.second_to;
-    if (!is_twin) parts.push_back(found);
+    const bool is_twin = first == second && cuts[k] + cuts[k + 1] > from + to;
+    if (!is_twin) parts.push_back({first, cuts[k], cuts[k + 1], second, from, to});
   }
   return parts;
 }
@@ -216,7 +211,9 @@ bool Coincidences::add_lines(std::size_t first, std::size_t second,
   const Rational from = std::max(lower[0], lower[1]);
   const Rational to = std::min(upper[0], upper[1]);
   if (from >= to) return false;
-  const auto place = [&](std::size_t k, const Rational& x) {
+  const auto place = [&](std::size_t k, const Rational& x) -> RealAlgebraic {
+    for (const long end : {0L, 1L})
+      if (x == point(curves[k], end)[along]) return Rational(end);
     return real_roots(curves[k].numerator()[along] - x * curves[k].weight(), closed_interval(0, 1))
         .front()
         .at;
@@ -228,17 +225,7 @@ bool Coincidences::add_lines(std::size_t first, std::size_t second,
     std::swap(t[0], t[1]);
   }
   lines_.insert({first, second});
-  if (s[0].is_rational() && s[1].is_rational() && t[0].is_rational() && t[1].is_rational()) {
-    parts_.push_back(
-        {first, *s[0].rational(), *s[1].rational(), second, *t[0].rational(), *t[1].rational()});
-    return true;
-  }
-  const auto part = [](std::size_t k, const RealAlgebraic& a, const RealAlgebraic& b) {
-    const auto [least, most] =
-        std::minmax({approximate(enclose(a, 64)), approximate(enclose(b, 64))});
-    return CurvePart{k, least, most};
-  };
-  inexact_.push_back({part(first, s[0], s[1]), part(second, t[0], t[1])});
+  parts_.push_back({first, s[0], s[1], second, t[0], t[1]});
   return true;
 }
 

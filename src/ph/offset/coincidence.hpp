@@ -26,17 +26,16 @@ bool is_bilinear(const Bivariate& factor);
 bool may_vanish(const Bivariate& factor, const Interval& s, const Interval& t);
 
 /// Which parts of curves coincide, whatever their parameters: P(s) = Q(t) all along where one of
-/// both is a fraction a(s)/b(s) of linear polynomials, a bilinear factor of both equations.
+/// both is a fraction a(s)/b(s) of linear polynomials, a bilinear factor of both equations. Lines
+/// that are gone along in any manner without turning back do between their common ends.
 class Coincidences {
  public:
-  /// Of lines that are gone along in any manner without turning back, too. Else none where the
-  /// factors are of higher degree. Cost: a gcd modulo a prime for each two curves
-  /// of which one ends in the box of the other, and where that is not 1 the equations.
+  /// Of other curves none where the factors are of higher degree. Cost: a gcd modulo a prime for
+  /// each two curves of which one ends in the box of the other, and where that is not 1 the
+  /// equations; of lines up to four polynomials of their degree are factored.
   Coincidences(const OffsetBranches& branches, const CurveSeries& series);
 
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
-  /// Parts of lines that coincide, and end there at irrational parameters.
-  const std::vector<UndecidedCrossing>& inexact() const { return inexact_; }
   /// Are arcs parts of one curve that hang together and go one way, or turn back once and turn one
   /// way, so that all that they have in common coincides?
   bool cover(const CurveNode& a, const CurveNode& b) const;
@@ -49,7 +48,6 @@ class Coincidences {
 
   std::vector<SegmentTurning> turning_;  ///< of all curves
   std::vector<CoincidentParts> parts_;
-  std::vector<UndecidedCrossing> inexact_;
   std::set<std::pair<std::size_t, std::size_t>> lines_;  ///< that have a part in common
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Bivariate>> factors_;
 };

@@ -222,9 +222,6 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     add_to(result, branches, pairs);
   }
   decide_touching(result, branches, series);
-  if (!coincidences.inexact().empty()) result.is_cut_off = true;  // no cuts are told
-  result.undecided.insert(result.undecided.end(), coincidences.inexact().begin(),
-                          coincidences.inexact().end());
   result.coincident = coincidences.parts();
   remove_common_ends(result, branches);
   return result;

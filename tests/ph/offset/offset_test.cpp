@@ -431,10 +431,10 @@ TEST_CASE("offset: what coincides, and what touches, is told with its place") {
   CHECK(meeting.found.empty());
   CHECK(meeting.touching.empty());
   REQUIRE(meeting.coincident.size() == 1);
-  CHECK(meeting.coincident[0].first_from == 0);
-  CHECK(meeting.coincident[0].first_to == 1);
-  CHECK(meeting.coincident[0].second_from == 1);
-  CHECK(meeting.coincident[0].second_to == 0);
+  CHECK(meeting.coincident[0].first_from == Rational(0));
+  CHECK(meeting.coincident[0].first_to == Rational(1));
+  CHECK(meeting.coincident[0].second_from == Rational(1));
+  CHECK(meeting.coincident[0].second_to == Rational(0));
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
@@ -596,9 +596,10 @@ TEST_CASE("offset: parts of one curve coincide, whatever their parameters") {
   CHECK(found.touching.empty());
   std::vector<std::string> parts;
   for (const CoincidentParts& c : found.coincident)
-    parts.push_back(fmt::format("{}: {} to {}, {}: {} to {}", c.first_segment,
-                                to_string(c.first_from), to_string(c.first_to), c.second_segment,
-                                to_string(c.second_from), to_string(c.second_to)));
+    parts.push_back(fmt::format(
+        "{}: {} to {}, {}: {} to {}", c.first_segment, to_string(*c.first_from.rational()),
+        to_string(*c.first_to.rational()), c.second_segment, to_string(*c.second_from.rational()),
+        to_string(*c.second_to.rational())));
   // s = t/(2 - t).
   CHECK(parts == std::vector<std::string>{"0: 0 to 1, 2: 0 to 1", "0: 1/4 to 3/4, 1: 0 to 1",
                                           "0: 3/4 to 1, 3: 0 to 1", "1: 0 to 1, 2: 1/7 to 3/5",
@@ -611,29 +612,46 @@ TEST_CASE("offset: lines coincide that are gone along in different manners") {
   const auto line = [](const Vector<Rational>& from, const Polynomial& rate) {
     return Curve({{1}, {}, {}, {}}, rate, from);
   };
-  const auto round = [&](const Polynomial& first, const Rational& left, const Polynomial& last) {
+  const auto round = [&](const Polynomial& first, const Rational& side, const Polynomial& last) {
     PhPath path(line({0, 0, 0}, first));
-    const PhPath way = lines({{5, 0, 0}, {5, 4, 0}, {left, 4, 0}, {left, 0, 0}});
-    for (const Curve& side : way.segments()) path.append(side);
-    path.append(line({left, 0, 0}, last));
+    const PhPath way = lines({{5, 0, 0}, {5, 4, 0}, {side, 4, 0}, {side, 0, 0}});
+    for (const Curve& edge : way.segments()) path.append(edge);
+    path.append(line({side, 0, 0}, last));
     return path;
   };
-  const PhPath exact = round({5}, 0, {2, 6});
-  const SelfIntersections found = self_intersections(offset(exact, Rational(1, 2)));
+  const SelfIntersections found = self_intersections(offset(round({5}, 0, {2, 6}), Rational(1, 2)));
   CHECK(found.is_complete());
   CHECK(found.found.empty());
   REQUIRE(found.coincident.size() == 1);
-  CHECK(found.coincident[0].first_from == 0);
-  CHECK(found.coincident[0].first_to == 1);
-  CHECK(found.coincident[0].second_from == 0);
-  CHECK(found.coincident[0].second_to == 1);
-  const PhPath inexact = round({3, 0, 6}, -3, {6, 4});
-  const SelfIntersections undecided = self_intersections(offset(inexact, Rational(1, 2)));
-  CHECK_FALSE(undecided.is_complete());
-  REQUIRE(undecided.undecided.size() == 1);
-  CHECK(std::abs(undecided.undecided[0].second.lower - (std::sqrt(15.0) - 3) / 2) < 1e-12);
-  CHECK(undecided.undecided[0].second.upper == 1);
-  CHECK_THROWS_AS(trimmed_offset(inexact, Rational(1, 2)), Undecided);
+  CHECK(found.coincident[0].first_from == Rational(0));
+  CHECK(found.coincident[0].first_to == Rational(1));
+  CHECK(found.coincident[0].second_from == Rational(0));
+  CHECK(found.coincident[0].second_to == Rational(1));
+  // 2t^2 + 6t - 3 = 0 where x = 0.
+  const SelfIntersections irrational =
+      self_intersections(offset(round({3, 0, 6}, -3, {6, 4}), Rational(1, 2)));
+  CHECK(irrational.is_complete());
+  CHECK(irrational.found.empty());
+  CHECK(irrational.touching.empty());
+  REQUIRE(irrational.coincident.size() == 1);
+  const CoincidentParts& part = irrational.coincident[0];
+  CHECK(part.first_from == Rational(0));
+  CHECK(part.first_to == Rational(1));
+  CHECK(part.second_from.polynomial() == Polynomial{-3, 6, 2});
+  CHECK(std::abs(approximate(enclose(part.second_from, 64)) - (std::sqrt(15.0) - 3) / 2) < 1e-15);
+  CHECK(part.second_to == Rational(1));
+  // The other way, from (7, 0) to (-2, 0) with x = 7 - 6t - 3t^2: 3t^2 + 6t = 2 and 7.
+  const PhPath back = round({3, 0, 6}, 7, {-6, -6});
+  const OffsetBranches both{
+      {branches_of(offset(back, 1)).curves.front(), branches_of(offset(back, -1)).curves.back()},
+      {no_segment, no_segment}};
+  const SelfIntersections opposite =
+      self_intersections(both, plane_series(both.curves, both.behind), {});
+  CHECK(opposite.is_complete());
+  REQUIRE(opposite.coincident.size() == 1);
+  CHECK(opposite.coincident[0].first_from == Rational(0));
+  CHECK(opposite.coincident[0].second_from.polynomial() == Polynomial{-7, 6, 3});
+  CHECK(opposite.coincident[0].second_to.polynomial() == Polynomial{-2, 6, 3});
 }
 
 // The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
@@ -649,7 +667,7 @@ TEST_CASE("offset: parts that coincide where no box is known, and through a cusp
   CHECK(found.is_complete());
   REQUIRE(found.coincident.size() == 1);
   CHECK(found.coincident[0].first_to == Rational(11, 14));
-  CHECK(found.coincident[0].second_to == 1);
+  CHECK(found.coincident[0].second_to == Rational(1));
   CHECK(found.touching.empty());
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/end_point.hpp"
@@ -488,6 +489,53 @@ TEST_CASE("offset_trim: two rooms behind a neck become islands, decided to 10^-3
   for (const TrimmedBranch& branch : exact.branches)
     area = area + *measure(dumbbell(1), exact, branch).area;
   CHECK(approximate(area) > 128);
+}
+
+// From (0, 0) to (5, 0) with x = 3t + 2t^3, round a rectangle to (-3, 0), on to (7, 0) with x =
+// 8t + 2t^2 - 3, round a greater one to (-5, 0), and on to (3, 0) with x = 5t + 3t^3 - 5: lines go
+// along each other up to irrational parameters.
+TEST_CASE("offset_trim: of lines that are gone along twice in different manners one is left") {
+  const auto line = [](const Rational& from, const Polynomial& rate) {
+    return Curve({{1}, {}, {}, {}}, rate, {from, 0, 0});
+  };
+  PhPath path(line(0, {3, 0, 6}));
+  append_lines(path, {{5, 4, 0}, {-3, 4, 0}, {-3, 0, 0}});
+  path.append(line(-3, {8, 4}));
+  append_lines(path, {{7, 6, 0}, {-5, 6, 0}, {-5, 0, 0}});
+  path.append(line(-5, {5, 0, 9}));
+  const Rational d(1, 2);
+  const auto check = [&](const Rational& distance, const std::vector<double>& lengths,
+                         double area) {
+    const TrimmedOffset found = trimmed_offset(path, distance);
+    CHECK(found.undecided.empty());
+    REQUIRE(found.branches.size() == lengths.size());
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const BranchMeasure size = measure(path, found, found.branches[k]);
+      CHECK(std::abs(approximate(size.length) - lengths[k]) < 1e-12);
+      CHECK(found.branches[k].is_closed == (k == 0));
+      if (k == 0) CHECK(std::abs(approximate(*size.area) - area) < 1e-12);
+    }
+  };
+  // Around all, 12 by 6 with round corners; and around the lesser one, above the line.
+  check(d, {36 + std::numbers::pi, 15 + std::numbers::pi / 2}, 90 + std::numbers::pi / 4);
+  // Inside of the lesser one, and between both.
+  check(-d, {20, 23}, 21);
+}
+
+// Gone along to (5, 0), and back from (7, 0) to (-2, 0).
+TEST_CASE("offset_trim: of a line that is gone along there and back both sides are left") {
+  PhPath path(Curve({{1}, {}, {}, {}}, {3, 0, 6}));
+  append_lines(path, {{5, 3, 0}, {7, 3, 0}, {7, 0, 0}});
+  path.append(Curve({{1}, {}, {}, {}}, {-6, -6}, {7, 0, 0}));
+  const TrimmedOffset found = trimmed_offset(path, Rational(1, 2));
+  CHECK(found.undecided.empty());
+  REQUIRE(found.branches.size() == 3);
+  // Below the first one, in the rectangle of 1 by 2, and above the last one up to x = 5 - 1/2.
+  for (const auto& [k, length] : {std::pair(0, 5.0), {1, 6.0}, {2, 6.5}})
+    CHECK(std::abs(approximate(
+                       measure(path, found, found.branches[static_cast<std::size_t>(k)]).length) -
+                   length) < 1e-12);
+  CHECK(trimmed_offset(path, Rational(-1, 2)).branches.size() == 1);
 }
 
 TEST_CASE(
