@@ -979,9 +979,6 @@ class Jets:
         return [([floor_of(pi_bounds, self.m.B)], 1)] + [([], 0)] * self.J
 
 
-# Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
-# a function of a value and its place (a JSON pointer), which returns what it reads.
-
 # Sums of c pi^j x^k e^(i(wx + rp + q)), p = pi, as {(j, k, w, r, q): c} with 0 <= r < 1, since half a turn is the factor -1, and
 # no c = 0. Sums that are equal are equal functions of x.
 
@@ -1056,6 +1053,9 @@ class Waves:
                 out.append(cosine(out[left], Fraction(1, 2) if name == "sin" else 0))
         return out
 
+
+# Reading. A form is {key: form} for an object, [form] for a list, (form, form) for a list of that length, or
+# a function of a value and its place (a JSON pointer), which returns what it reads.
 
 class Object(dict):
     """A JSON object, which remembers its keys as they are written."""

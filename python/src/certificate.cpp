@@ -165,12 +165,7 @@ void bind_certificate(nb::module_& m, PathClass& path) {
           },
           "Verifies every statement by another way: what is not proved, and why.")
       .def(
-          "is_proved",
-          [](const C& c) {
-            const auto found = verified(c);
-            return std::all_of(found.begin(), found.end(),
-                               [](const Statement& s) { return s.is_proved(); });
-          },
+          "is_proved", [](const C& c) { return are_proved(verified(c)); },
           "Is every statement proved, by another way?")
       .def(
           "__eq__",

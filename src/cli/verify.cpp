@@ -157,10 +157,6 @@ std::vector<Statement> statements_of(const C& certificate, const CertificateLimi
   return statements;
 }
 
-bool are_proved(const std::vector<Statement>& statements) {
-  return std::ranges::all_of(statements, [](const Statement& x) { return x.is_proved(); });
-}
-
 NamedAnyCertificate read_named(const std::string& path, const CertificateLimits& limits) {
   const std::string text = read_file(path);
   return at_place(name_of_file(path), ":", [&] { return read_any_certificate(text, limits); });

@@ -277,8 +277,7 @@ class OfPieces {
          std::min(1.0, upper_double(t))};
   }
   RealBall along(const SegmentPart& part, const RealBall& t) const {
-    return add(RealBall(part.lower, bits_),
-               multiply(RealBall(part.upper - part.lower, bits_), t, bits_), bits_);
+    return on_segment(part, t, bits_);
   }
   static RealAlgebraic along(const SegmentPart& part, const RealAlgebraic& t) {
     return affine(t, part.upper - part.lower, part.lower);

@@ -182,10 +182,7 @@ class Reunion {
     for (const TrimmedBranch& branch : found_.branches) result_.branches.push_back(whole(branch));
     for (const UndecidedStretch& x : found_.undecided) {
       const SegmentPart& of = origins_[x.piece];
-      constexpr long bits = 320;
-      result_.undecided.push_back(
-          {of.segment, add(RealBall(of.lower, bits),
-                           multiply(RealBall(of.upper - of.lower, bits), x.t, bits), bits)});
+      result_.undecided.push_back({of.segment, on_segment(of, x.t, 320)});
     }
     return std::move(result_);
   }

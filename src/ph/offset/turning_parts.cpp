@@ -54,6 +54,11 @@ std::vector<Rational> turning_cuts(const Polynomial& turn, const Polynomial& sig
   return cuts;
 }
 
+RealBall on_segment(const SegmentPart& part, const RealBall& t, long bits) {
+  const RealBall width(part.upper - part.lower, bits);
+  return add(RealBall(part.lower, bits), multiply(width, t, bits), bits);
+}
+
 PathInParts in_turning_parts(const PhPath& path) {
   std::vector<Curve> curves;
   std::vector<std::size_t> corners;

@@ -12,6 +12,8 @@ struct SegmentPart {
   Rational lower;       ///< of its parameter
   Rational upper;       ///< likewise
 };
+/// The parameter of the segment at t of a part.
+RealBall on_segment(const SegmentPart& part, const RealBall& t, long bits);
 /// A path in parts, which are segments of the same path with more joints.
 struct PathInParts {
   PhPath path;                     ///< of a segment for each part

@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/ph/along/antisymmetry.hpp"
@@ -36,5 +38,9 @@ struct Statement {
   std::optional<std::size_t> segment = {};  ///< of a path, where it is of one
   bool is_proved() const { return objection.empty(); }  ///< has it no objection?
 };
+/// Is each of them?
+inline bool are_proved(const std::vector<Statement>& statements) {
+  return std::ranges::all_of(statements, [](const Statement& x) { return x.is_proved(); });
+}
 
 }  // namespace phrame
