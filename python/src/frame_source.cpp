@@ -78,14 +78,14 @@ void FrameSource::make() {
   for (const Segment& segment : path().segments()) {
     Piece& piece = pieces_.emplace_back();
     if (!is_of_ph_) continue;
-    piece.preimage = std::get<PhSegment>(segment).primitive_preimage();
+    piece.preimage = &std::get<PhSegment>(segment).primitive_preimage();
     if (kind_ == TabulatedFrame::frenet) {
-      const GaussianPolynomial g = bend_numerator(piece.preimage);
-      piece.normal = RoundedPolynomial(gcd(g.re, g.im));
+      const GaussianPolynomial g = bend_numerator(*piece.preimage);
+      piece.normal.emplace(gcd(g.re, g.im));
     }
     if (pieces_.size() == 1) continue;
     const Piece& before = pieces_[pieces_.size() - 2];
-    piece.sign = before.sign * joint_sign(before.preimage, piece.preimage);
+    piece.sign = before.sign * joint_sign(*before.preimage, *piece.preimage);
   }
   if (are_by_preimage()) make_zeros();
 }
@@ -96,7 +96,7 @@ void FrameSource::make_zeros() {
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     is_erf =
         is_erf && (kind_ == TabulatedFrame::euler_rodrigues || angle_->closed_form(k)->is_zero());
-    const auto& [u, v, p, q] = pieces_[k].preimage;
+    const auto& [u, v, p, q] = *pieces_[k].preimage;
     const bool uv = u.is_zero() && v.is_zero();
     const bool pq = p.is_zero() && q.is_zero();
     pieces_[k].zeros = {is_erf ? u.is_zero() : uv, is_erf ? v.is_zero() : uv,
@@ -197,7 +197,7 @@ std::optional<Frame<double>> FrameSource::approximated_frame(double t) const {
   const Piece& piece = pieces_[number];
   const CompiledFrames* compiled = compiled_at(t, piece);
   if (compiled == nullptr) return rotations_ ? rotations_->frame(number, {{here}}) : std::nullopt;
-  const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : 1;
+  const double side = piece.normal ? (*piece.normal)(here) : 1;
   auto frame = side == 0 ? std::nullopt : compiled->rounded(t);
   if (frame && side < 0)
     for (Vector<double>* v : {&frame->e2, &frame->e3})
@@ -256,7 +256,7 @@ std::optional<Quaternion<RealBall>> FrameSource::ball_at(const Place& at, long b
   const RealBall theta =
       kind_ == TabulatedFrame::rmf ? angle_->enclose(at, start_, bits) : RealBall();
   const Piece& piece = pieces_[at.segment];
-  return rotation_ball(piece.preimage, *at.t.exact(), theta, piece.sign);
+  return rotation_ball(*piece.preimage, *at.t.exact(), theta, piece.sign);
 }
 
 std::array<Real, 4> FrameSource::rotation(const Place& at) const {
@@ -269,14 +269,14 @@ std::array<Real, 4> FrameSource::rotation(const Place& at) const {
   const Real theta =
       kind_ == TabulatedFrame::euler_rodrigues ? Rational(0) : angle_->value(at, start_);
   if (theta.exact() == Rational(0)) {
-    RationalQuaternion a = evaluate(piece.preimage, t);
+    RationalQuaternion a = evaluate(*piece.preimage, t);
     if (piece.sign < 0) a = {-a.u, -a.v, -a.p, -a.q};
     const Real over_size = square_root_of(1 / norm(a));
     return {over_size * a.u, over_size * a.v, over_size * a.p, over_size * a.q};
   }
   const auto component = [&](RealBall Quaternion<RealBall>::*part) {
     return Real([=, &piece = piece](long bits) {
-      return rotation_ball(piece.preimage, t, theta.enclose(bits), piece.sign, bits).*part;
+      return rotation_ball(*piece.preimage, t, theta.enclose(bits), piece.sign, bits).*part;
     });
   };
   using Ball = Quaternion<RealBall>;
@@ -294,7 +294,7 @@ std::optional<CompiledFrames::Rotation> FrameSource::approximated_rotation(doubl
   if (!near) return std::nullopt;
   CompiledFrames::Rotation& found = *near;
   const auto [u, v, p, q] = found.b;
-  const double side = kind_ == TabulatedFrame::frenet ? piece.normal(here) : piece.sign;
+  const double side = piece.normal ? (*piece.normal)(here) : piece.sign;
   if (side == 0) return std::nullopt;
   const auto minus = [](const DoubleDouble& x) { return DoubleDouble{-x.high, -x.low}; };
   if (side < 0 && kind_ == TabulatedFrame::frenet)

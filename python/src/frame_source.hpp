@@ -140,9 +140,9 @@ struct FrameSource::Piece {
   mutable std::once_flag has_rounded;  ///< which frames do not need
   mutable std::optional<RoundedPoint> rounded;
   // Of PH curves:
-  QuaternionPolynomial preimage;              ///< without real factors
-  int sign = 1;                               ///< of the preimage, for a continuous B
-  RoundedPolynomial normal{Polynomial{1}};    ///< the real factor of g, of whose sign Frenet's n is
+  const QuaternionPolynomial* preimage = nullptr;  ///< without real factors
+  int sign = 1;                                    ///< of the preimage, for a continuous B
+  std::optional<RoundedPolynomial> normal;    ///< the real factor of g, of whose sign Frenet's n is
   std::array<bool, 4> zeros{};                ///< components u, v, p, q of B that are 0 everywhere
   mutable std::atomic<std::size_t> asked{0};  ///< how often, up to now
   std::atomic<bool> is_undecided{false};  ///< it cannot be compiled: poles of θ′ are too near

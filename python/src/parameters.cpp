@@ -22,22 +22,27 @@ Parameters parameters(std::vector<Rational> fractions) {
 
 Parameters parameters(nb::handle ts, const std::string& place) {
   Parameters found;
-  const nb::object list = listed(ts, place, "a list of numbers");
-  if (list.type().is(imported("numpy", "ndarray"))) {
+  using Doubles = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+  Doubles array;
+  const nb::object& numpy_array = imported("numpy", "ndarray");
+  // What most are, as it is; what is derived from an array may have a mask.
+  const bool is_plain = ts.type().is(numpy_array) && nb::try_cast(ts, array, false);
+  const nb::object list = is_plain ? nb::borrow(ts) : listed(ts, place, "a list of numbers");
+  if (!is_plain && list.type().is(numpy_array)) {
     if (nb::cast<long>(list.attr("ndim")) != 1)
       refuse(place,
              "an array of one dimension is wanted, its shape is " +
                  nb::cast<std::string>(nb::str(nb::object(list.attr("shape")))),
              ts);
     const std::string kind = nb::cast<std::string>(list.attr("dtype").attr("kind"));
-    if (kind == "f" && nb::cast<long>(list.attr("dtype").attr("itemsize")) <= 8) {
-      const auto array =
-          nb::cast<nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>>(
-              list.attr("astype")("float64", nb::arg("order") = "C", nb::arg("copy") = false));
-      found.doubles.assign(array.data(), array.data() + array.shape(0));
-    }
+    if (kind == "f" && nb::cast<long>(list.attr("dtype").attr("itemsize")) <= 8)
+      array = nb::cast<Doubles>(
+          list.attr("astype")("float64", nb::arg("order") = "C", nb::arg("copy") = false));
   }
-  if (found.doubles.empty()) found = parameters(rationals(list, place));
+  if (array.is_valid())
+    found.doubles.assign(array.data(), array.data() + array.shape(0));
+  else
+    found = parameters(rationals(list, place));
   if (found.size() == 0) refuse(place, "it is empty", ts);
   for (std::size_t k = 0; k < found.doubles.size(); ++k)
     if (!std::isfinite(found.doubles[k]))

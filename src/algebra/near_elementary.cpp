@@ -125,10 +125,8 @@ NearNumber near_number(const RealBall& x) {
           raised(std::abs(low) * 0x1p-51 + mag_get_d(arb_radref(x.raw())) * pairs::up)};
 }
 
-NearComplex near_complex(const ComplexBall& z) {
-  const NearNumber re = near_number(z.re());
-  const NearNumber im = near_number(z.im());
-  return {re.value, im.value, raised(re.error + im.error)};
+RealBall ball_of(const NearNumber& x) {
+  return widened(exact_sum(x.value.high, x.value.low), x.error);
 }
 
 // With the nearest multiple kπ/32, |r| < 0.05: what the polynomials leave out is less than r¹⁶/16!

@@ -11,7 +11,8 @@ namespace phrame::inline v0 {
 
 /// The numbers of the ball.
 NearNumber near_number(const RealBall& x);
-NearComplex near_complex(const ComplexBall& z);
+/// All that x may be, for a finite error.
+RealBall ball_of(const NearNumber& x);
 
 struct NearCosSin {
   NearNumber cos;

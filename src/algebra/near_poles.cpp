@@ -7,7 +7,8 @@
 
 #include <algorithm>
 
-#include "phrame/algebra/near_complex.hpp"
+#include "phrame/algebra/near_arithmetic.hpp"
+#include "phrame/algebra/near_elementary.hpp"
 #include "phrame/algebra/root_guess.hpp"
 #include "phrame/algebra/rounding.hpp"
 
@@ -126,12 +127,6 @@ bool enclose(std::vector<NearComplex>& points, const NearPolynomial& d) {
   return true;
 }
 
-RealBall ball(const DoubleDouble& x, double error) {
-  RealBall result = exact_sum(x.high, x.low);
-  return widened(std::move(result), error);
-}
-ComplexBall ball(const NearComplex& z) { return {ball(z.re, z.error), ball(z.im, z.error)}; }
-
 std::optional<std::vector<NearPole>> found(const Polynomial& n, const Polynomial& d) {
   const auto below = near_polynomial(d);
   const auto above = near_polynomial(n);
@@ -142,8 +137,9 @@ std::optional<std::vector<NearPole>> found(const Polynomial& n, const Polynomial
   std::vector<NearPole> poles;
   for (const NearComplex& z : points) {
     const NearComplex residue = evaluate(*above, z) * inverse(evaluate(slope_of_d, z));
-    if (!std::isfinite(residue.error)) return std::nullopt;
-    poles.push_back({ball(z), ball(residue)});
+    const NearComplex over_z = inverse(z);
+    if (!std::isfinite(residue.error) || !std::isfinite(over_z.error)) return std::nullopt;
+    poles.push_back({z, over_z, residue});
   }
   return poles;
 }
@@ -164,15 +160,13 @@ std::optional<std::vector<NearPole>> near_poles(const Polynomial& n, const Polyn
 
 namespace {
 
-/// Doubles that the numbers of a ball are between.
+/// Doubles that a number is between.
 struct DoubleBounds {
   double least;
   double most;
 
-  explicit DoubleBounds(const RealBall& x) {
-    const double middle = approximate(x);
-    const double radius =
-        mag_get_d(arb_radref(x.raw())) * pairs::up + std::abs(middle) * 0x1p-51 + 0x1p-1070;
+  DoubleBounds(double middle, double error) {
+    const double radius = error * pairs::up + std::abs(middle) * 0x1p-51 + 0x1p-1070;
     least = middle - radius;
     most = middle + radius;
   }
@@ -187,16 +181,28 @@ struct DoubleBounds {
 // one is from its conjugate where that is not 0.
 bool have_distinct_residues(const std::vector<NearPole>& poles) {
   std::vector<std::pair<DoubleBounds, DoubleBounds>> residues;
-  for (const auto& [place, residue] : poles) {
-    if (residue.im().contains_zero()) return false;
+  for (const NearPole& pole : poles) {
+    const NearComplex& residue = pole.residue;
+    const DoubleBounds re(residue.re.high, residue.error);
+    const DoubleBounds im(std::abs(residue.im.high), residue.error);
+    if (!(im.least > 0)) return false;
     if (poles.size() == 1) return true;
-    const DoubleBounds re(residue.re());
-    const DoubleBounds im(absolute(residue.im()));
     for (const auto& [other_re, other_im] : residues)
       if (re.overlaps(other_re) && im.overlaps(other_im)) return false;
     residues.emplace_back(re, im);
   }
   return true;
+}
+
+NearNumber change(const std::vector<NearPole>& poles, const NearNumber& t) {
+  if (t.value.high == 0 && t.error == 0) return {};
+  const NearComplex minus_t{pairs::negative(t.value), {}, t.error};
+  NearNumber sum;
+  for (const NearPole& pole : poles) {
+    const NearComplex term = pole.residue * log(NearComplex{{1}, {}} + minus_t * pole.inverse);
+    sum = sum + NearNumber{{2 * term.re.high, 2 * term.re.low}, 2 * term.error};
+  }
+  return sum;
 }
 
 }  // namespace phrame

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/error_free.hpp"
 #include "phrame/algebra/result_of.hpp"
 
 namespace phrame::inline v0 {
@@ -25,6 +26,12 @@ std::string Rational::str() const {
 }
 
 Rational::operator double() const {
+  // The quotient of two doubles is the nearest one.
+  constexpr long largest = 1L << 53;
+  const fmpz n = *fmpq_numref(raw());
+  const fmpz d = *fmpq_denref(raw());
+  if (!COEFF_IS_MPZ(n) && !COEFF_IS_MPZ(d) && std::abs(n) <= largest && d <= largest)
+    return rounding_to_nearest([&] { return static_cast<double>(n) / static_cast<double>(d); });
   flint::Mpq x;
   fmpq_get_mpq(x.get(), raw());
   mpfr_t rounded;

@@ -207,6 +207,7 @@ std::optional<Decimal> decided_decimal(RealBall x, long digits) {
 /// The nearest double, gradual underflow included: MPFR with the exponent range of a double
 /// (MPFR manual, mpfr_subnormalize).
 double nearest_double(const Rational& x) {
+  if (const auto near = static_cast<double>(x); x == 0 || std::isnormal(near)) return near;
   const mpfr_exp_t emin = mpfr_get_emin();
   const mpfr_exp_t emax = mpfr_get_emax();
   mpfr_t value;

@@ -342,8 +342,11 @@ void Command::require_known_names(const std::string& option,
 
 void Command::require_applicable() const {
   const auto chosen = [this](const std::string& choice) { return is_chosen(choice); };
+  std::vector<std::string> given;
+  for (const CLI::Option* option : app_.get_options())
+    if (option->count() > 0) given.push_back(option->get_name());
   for (const auto& [option, facts] : facts_) {
-    if (!is_given(option)) {
+    if (std::ranges::find(given, option) == given.end()) {
       if (!facts.required_but_with.empty() && !is_chosen(facts.required_but_with))
         throw InputError(option, "is required (phrame " + name() + " --help)");
       continue;

@@ -100,8 +100,8 @@ void give_line(Command& command, const std::vector<Key>& keys, const JsonNode& l
   line.require_known_keys(known);
   for (const Key& key : keys) {
     const auto node = line.find(key.name);
-    if (!node && command.is_given(key.option_name())) continue;
-    if (!node && key.option.is_required) line.at(key.name);  // throws
+    if (!node && key.option.is_required && !command.is_given(key.option_name()))
+      line.at(key.name);  // throws
     if (!node) continue;
     if (key.option.takes_file) {
       exchange.files.emplace(node->place(), contents_at(key, *node));

@@ -6,7 +6,9 @@
 #include <span>
 
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/near_arithmetic.hpp"
 #include "phrame/algebra/resultant.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/hermite.hpp"
 #include "phrame/integrate/known_integral.hpp"
 #include "phrame/integrate/lazard_rioboo_trager.hpp"
@@ -77,18 +79,18 @@ bool has_sum_near_integer(std::span<const double> numbers, double error) {
 // can be assumed.
 bool has_irreducible_denominator(const std::vector<NearPole>& poles, const Polynomial& d) {
   constexpr std::size_t most_pairs = 22;
-  constexpr long bits = 64;
   if (poles.size() > most_pairs || 2 * static_cast<long>(poles.size()) != d.degree()) return false;
-  const RealBall twice(Rational(2) * primitive_part(d).leading_coefficient(), bits);
+  const NearNumber twice = near_number(Rational(2) * primitive_part(d).leading_coefficient());
   std::vector<double> pairs;  // but the last
   double size = 1;
   for (std::size_t k = 0; k + 1 < poles.size(); ++k) {
-    const RealBall ball = multiply(twice, poles[k].place.re(), bits);
-    if (!ball.is_accurate(bits - 16)) return false;
-    pairs.push_back(approximate(ball));
+    const NearComplex& z = poles[k].place;
+    const NearNumber sum = twice * NearNumber{z.re, z.error};
+    if (!(raised(sum.error) <= 0x1p-48 * std::abs(sum.value.high))) return false;
+    pairs.push_back(sum.value.high);
     size += std::max(1.0, std::abs(pairs.back()));
   }
-  // The radii of the balls together are at most 2^−48 of size; a sum is rounded once for each, by
+  // The errors together are at most 2^−48 of size; a sum is rounded once for each, by
   // 2^−53 of size + 1 at most. All that is less than 2^−46 of size.
   return !has_sum_near_integer(pairs, size * 0x1p-44);
 }
@@ -96,7 +98,7 @@ bool has_irreducible_denominator(const std::vector<NearPole>& poles, const Polyn
 /// Those of one irreducible denominator with distinct residues, which is what most are.
 bool is_simple(const RationalFunction& f, const std::vector<NearPole>* poles) {
   return poles != nullptr && have_distinct_residues(*poles) &&
-         has_irreducible_denominator(*poles, f.denominator());
+         rounding_to_nearest([&] { return has_irreducible_denominator(*poles, f.denominator()); });
 }
 
 /// Is each sum over the poles of one of the fractions, in their order?

@@ -86,15 +86,6 @@ RealBall PoleSum::change(const Rational& a, const Rational& b, long bits) const 
   return sum;
 }
 
-RealBall change(const std::vector<NearPole>& poles, const Rational& a, const Rational& b,
-                long bits) {
-  const LogRatio log_ratio(a, b, bits);
-  RealBall sum;
-  for (const NearPole& p : poles)
-    sum = add(sum, twice_real_part(log_ratio(p.place), p.residue, bits), bits);
-  return sum;
-}
-
 RealBall PoleSum::branch(const Endpoint& t, long bits) const {
   const auto known = isolate(bits);
   RealBall sum;

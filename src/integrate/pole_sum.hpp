@@ -62,8 +62,4 @@ class PoleSum {
   Refined<Isolated> isolated_;
 };
 
-/// PoleSum::change() over these poles and their conjugates.
-RealBall change(const std::vector<NearPole>& poles, const Rational& a, const Rational& b,
-                long bits);
-
 }  // namespace phrame

@@ -1,5 +1,7 @@
 #include "phrame/algebra/rational.hpp"
 
+#include <cfenv>
+#include <cmath>
 #include <limits>
 
 #include "phrame/algebra/error.hpp"
@@ -67,6 +69,20 @@ TEST_CASE("rational: a double is taken exactly") {
   CHECK(exact_rational(std::numeric_limits<double>::denorm_min()) == parse_rational("0x1p-1074"));
   CHECK_THROWS_AS(exact_rational(std::numeric_limits<double>::quiet_NaN()), DomainError);
   CHECK_THROWS_AS(exact_rational(std::numeric_limits<double>::infinity()), DomainError);
+}
+
+TEST_CASE("rational: law: it becomes the nearest double, in any rounding mode") {
+  test::for_samples(200, [](test::Random& random) {
+    constexpr long largest = 1L << 53;
+    const long most = random.chance(2) ? 99 : random.chance(2) ? largest : 2 * largest;
+    const Rational x(random.integer(-most, most), random.integer(1, most));
+    std::fesetround(FE_DOWNWARD);
+    const auto near = static_cast<double>(x);
+    std::fesetround(FE_TONEAREST);
+    const Rational off = abs(x - exact_rational(near));
+    for (const double other : {-1e300, 1e300})
+      CHECK(off <= abs(x - exact_rational(std::nextafter(near, other))));
+  });
 }
 
 TEST_CASE("rational: law: text and FLINT's rationals give back the same number") {

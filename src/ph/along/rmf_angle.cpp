@@ -4,6 +4,8 @@
 
 #include "phrame/algebra/argument.hpp"
 #include "phrame/algebra/error.hpp"
+#include "phrame/algebra/near_elementary.hpp"
+#include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/integrate/gaussian_logs.hpp"
 #include "phrame/integrate/known_integral.hpp"
@@ -200,9 +202,12 @@ const std::vector<NearPole>* RmfAngle::Parts::near_poles() const {
 
 /// θ(t) from these poles, where there is no bend.
 std::optional<RealBall> RmfAngle::Parts::quick(const Rational& t) const {
-  constexpr long bits = 112;
   const std::vector<NearPole>* known = argument ? nullptr : near_poles();
-  return known != nullptr ? std::optional(change(*known, 0, t, bits)) : std::nullopt;
+  if (known == nullptr) return std::nullopt;
+  return rounding_to_nearest([&]() -> std::optional<RealBall> {
+    const NearNumber theta = change(*known, near_number(t));
+    return std::isfinite(theta.error) ? std::optional(ball_of(theta)) : std::nullopt;
+  });
 }
 
 const std::vector<NearPole>* RmfAngle::near_poles() const {

@@ -1,5 +1,7 @@
 #include "phrame/ph/curve/end_point.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -76,6 +78,56 @@ class Displacement {
   Integer below_;
 };
 
+/// A sum in doubles, and what its terms add up to without their signs.
+struct RoughSum {
+  double value = 0;
+  double size = 0;
+
+  RoughSum& operator+=(const RoughSum& term) {
+    value += term.value;
+    size += term.size;
+    return *this;
+  }
+};
+RoughSum rough(double x) { return {x, std::abs(x)}; }
+RoughSum operator*(double factor, const RoughSum& x) {
+  return {factor * x.value, std::abs(factor) * x.size};
+}
+
+/// x, where products of a few such numbers neither overflow nor underflow; else not a number.
+double moderate_double(const Rational& x) {
+  if (x == 0) return 0;
+  const auto near = static_cast<double>(x);
+  return std::abs(near) > 0x1p-200 && std::abs(near) < 0x1p200 ? near : NAN;
+}
+
+/// Is it seen in doubles that r(1) is not this point? By x′ = f·(u² + v² − p² − q²) only.
+bool is_seen_elsewhere(const Curve& curve, const Vector<Rational>& point) {
+  const auto count = static_cast<std::size_t>(preimage_degree(curve) + 1);
+  std::vector<RoughSum> weights(2 * count - 1);
+  for (long k = 0; k <= curve.multiplier().degree(); ++k) {
+    const double f = moderate_double(curve.multiplier().coefficient(k));
+    for (std::size_t n = 0; n < weights.size(); ++n)
+      weights[n] += rough(f / static_cast<double>(n + static_cast<std::size_t>(k) + 1));
+  }
+  RoughSum x;
+  const QuaternionPolynomial& a = curve.preimage();
+  std::vector<double> part(count);
+  for (const Polynomial* p : {&a.u, &a.v, &a.p, &a.q}) {
+    for (std::size_t k = 0; k < count; ++k)
+      part[k] = moderate_double(p->coefficient(static_cast<long>(k)));
+    const double sign = p == &a.u || p == &a.v ? 1 : -1;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) x += sign * part[i] * part[j] * weights[i + j];
+  }
+  x += rough(moderate_double(curve.start()[0]));
+  x += rough(-moderate_double(point[0]));
+  // A sum of N terms is off by N·2^−53 of its size; weights are such sums, and a term rounds ten
+  // times.
+  const auto terms = 4 * count * count + static_cast<std::size_t>(curve.multiplier().degree()) + 64;
+  return std::abs(x.value) > static_cast<double>(terms) * 0x1p-50 * x.size;
+}
+
 Vector<Rational> rational_end_point(const Curve& curve) {
   return Rational(1 / curve.weight()(1)) * evaluate(numerator(curve), 1);
 }
@@ -92,6 +144,7 @@ Vector<Rational> end_point(const Curve& curve) {
 
 bool ends_at(const Curve& curve, const Vector<Rational>& point) {
   if (!curve.is_polynomial()) return rational_end_point(curve) == point;
+  if (is_seen_elsewhere(curve, point)) return false;
   const Displacement displacement(curve);
   for (std::size_t k = 0; k < 3; ++k)
     if (curve.start()[k] + displacement[k] != point[k]) return false;

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "phrame/algebra/near_elementary.hpp"
-#include "phrame/algebra/near_poles.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/ph/frame/rotation_ball.hpp"
 
@@ -45,14 +44,7 @@ NearRotations::NearRotations(PathAngle angle, StartAngle start)
     : angle_(std::move(angle)), start_(std::move(start)) {}
 
 NearNumber NearRotations::Segment::theta(const NearNumber& t) const {
-  NearNumber sum = start;
-  if (t.value.high == 0 && t.error == 0) return sum;
-  const NearComplex minus_t{pairs::negative(t.value), {}, t.error};
-  for (const Pole& pole : poles) {
-    const NearComplex term = pole.residue * log(NearComplex{{1}, {}} + minus_t * pole.inverse);
-    sum = sum + NearNumber{twice(term.re), 2 * term.error};
-  }
-  return sum;
+  return poles != nullptr ? start + change(*poles, t) : start;
 }
 
 /// Segment number k, those before being made.
@@ -68,11 +60,8 @@ NearRotations::Segment NearRotations::made(std::size_t k) const {
     found.start = segments_[k - 1].theta({{1}});
   else
     found.start = near_number(angle_.enclose({k, Rational(0)}, start_, rotation_bits));
-  const std::vector<NearPole>* poles = theta.is_zero() ? nullptr : theta.near_poles();
-  found.is_known = theta.is_zero() || poles != nullptr;
-  if (poles == nullptr) return found;
-  for (const NearPole& pole : *poles)
-    found.poles.push_back({inverse(near_complex(pole.place)), near_complex(pole.residue)});
+  if (!theta.is_zero()) found.poles = theta.near_poles();
+  found.is_known = theta.is_zero() || found.poles != nullptr;
   return found;
 }
 

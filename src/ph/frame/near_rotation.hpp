@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "phrame/algebra/near_complex.hpp"
 #include "phrame/algebra/near_numbers.hpp"
+#include "phrame/algebra/near_poles.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/ph/frame/compiled_frame_rotation.hpp"
 
@@ -41,13 +41,9 @@ class NearRotations {
 
   /// θ = θ(0) + Σ 2 Re(c·log(1 − t/z)), and A.
   struct Segment {
-    struct Pole {
-      NearComplex inverse;  ///< 1/z
-      NearComplex residue;  ///< c
-    };
     Quaternion<NearPolynomial> preimage;
-    std::vector<Pole> poles;
-    NearNumber start;  ///< θ(0) + start
+    const std::vector<NearPole>* poles = nullptr;  ///< null where θ ≡ θ(0)
+    NearNumber start;                              ///< θ(0) + start
     bool is_known = false;
     Lazy<CompiledFrames::Zeros> zeros;
 
