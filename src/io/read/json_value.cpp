@@ -48,7 +48,7 @@ bool has_duplicate(const std::vector<std::string>& keys) {
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-constexpr std::size_t deepest = 32;
+constexpr std::size_t deepest_json = 32;
 
 /// Reads JSON of ASCII without escapes, as most is, in a fifth of the time of nlohmann's parser. At
 /// all else it gives up, for that to read it or to say what is wrong.
@@ -87,7 +87,7 @@ class PlainReader {
     switch (text_.front()) {
       case '{':
       case '[':
-        return depth < deepest && read_container(value, depth + 1);
+        return depth < deepest_json && read_container(value, depth + 1);
       case '"':
         value.kind = JsonValue::Kind::string;
         return read_string(value.text);
@@ -264,9 +264,9 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   bool open(JsonValue::Kind kind) {
-    if (open_.size() == deepest)
+    if (open_.size() == deepest_json)
       throw InputError(abbreviated(pointer(), 120),
-                       fmt::format("the JSON is nested deeper than {} levels", deepest));
+                       fmt::format("the JSON is nested deeper than {} levels", deepest_json));
     open_.push_back(&add({kind, {}, {}, {}}));
     return true;
   }

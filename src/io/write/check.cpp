@@ -13,7 +13,7 @@
 namespace phrame::inline v0 {
 namespace {
 
-using Kind = FrameFinding::Kind;
+using FindingKind = FrameFinding::Kind;
 
 std::string upper(const RealBall& x, long digits = 6) {
   return upper_bound_text(x.upper(), digits);
@@ -50,9 +50,9 @@ constexpr std::array kind_names{
     "undefined",        "wrong-tangent", "reversed-tangent", "left-handed", "not-orthogonal",
     "not-unit",         "flip",          "constant-offset",  "frenet",      "euler-rodrigues",
     "turned-backwards", "fixed-up",      "other-start",      "drift",       "irregular"};
-static_assert(kind_names.size() == static_cast<std::size_t>(Kind::irregular) + 1);
+static_assert(kind_names.size() == static_cast<std::size_t>(FindingKind::irregular) + 1);
 
-const char* name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+const char* name_of(FindingKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 /// "(1, 0, 0)".
 std::string brief_vector(const Vector<Rational>& v) {
@@ -73,47 +73,47 @@ std::string sentence(const FrameFinding& finding) {
   const auto amount = [&] { return shown(*finding.amount) + " radians"; };
   const auto within = [&] { return "to within " + upper(*finding.residual, 2) + " radians"; };
   switch (finding.kind) {
-    case Kind::undefined:
+    case FindingKind::undefined:
       return "f2 is 0 or along the tangent, so that it has no angle";
-    case Kind::wrong_tangent:
+    case FindingKind::wrong_tangent:
       return "e1 is not the tangent of the curve";
-    case Kind::reversed_tangent:
+    case FindingKind::reversed_tangent:
       return "e1 is the tangent reversed";
-    case Kind::left_handed:
+    case FindingKind::left_handed:
       return "the frame is left-handed: det(tangent, f2, f3) < 0";
-    case Kind::not_orthogonal:
+    case FindingKind::not_orthogonal:
       return "the vectors are not orthogonal";
-    case Kind::not_unit:
+    case FindingKind::not_unit:
       return "the vectors are not of length 1";
-    case Kind::flip:
+    case FindingKind::flip:
       return "f2 flips against the sample before";
-    case Kind::constant_offset:
+    case FindingKind::constant_offset:
       return fmt::format(
           "the frame is rotation-minimizing, {}, but starts at another angle: {} off", within(),
           amount());
-    case Kind::frenet:
+    case FindingKind::frenet:
       return fmt::format("these are Frenet frames, {}: f2 keeps its angle to the principal normal",
                          within());
-    case Kind::euler_rodrigues:
+    case FindingKind::euler_rodrigues:
       return fmt::format("these are Euler–Rodrigues frames, {}: f2 keeps its angle to A j A*",
                          within());
-    case Kind::turned_backwards:
+    case FindingKind::turned_backwards:
       return fmt::format(
           "the {} is turned by −θ instead of θ, {}: the sign of the angle is wrong",
           finding.up ? "frame of v = " + brief_vector(*finding.up) : "Euler–Rodrigues frame",
           within());
-    case Kind::fixed_up:
+    case FindingKind::fixed_up:
       return fmt::format(
           "these are frames of the fixed vector v = {}, {}: f2 keeps its angle to v × T",
           brief_vector(*finding.up), within());
-    case Kind::other_start:
+    case FindingKind::other_start:
       return fmt::format("the frame does not start where it is to start: it is {} off", amount());
-    case Kind::drift:
+    case FindingKind::drift:
       return fmt::format(
           "f2 drifts: from the first sample to the last it turns by {} against the "
           "rotation-minimizing frame",
           amount());
-    case Kind::irregular:
+    case FindingKind::irregular:
       return fmt::format("f2 turns irregularly against the rotation-minimizing frame, within {}",
                          amount());
   }
