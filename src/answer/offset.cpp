@@ -175,6 +175,7 @@ class TrimReport {
   }
 
   bool is_join(std::size_t piece) const { return trimmed_.offset.pieces[piece].is_join; }
+  static bool is_cut(const Real& t) { return t.exact() != Rational(0) && t.exact() != Rational(1); }
 
   OffsetAnswer::Branch make(const TrimmedBranch& branch) const {
     OffsetAnswer::Branch report{branch.is_closed, {}, paths(trimmed_, branch, digits_), {}, {}};
@@ -182,8 +183,8 @@ class TrimReport {
     for (std::size_t k = 0; k < count; ++k) {
       const OffsetPart& part = branch.parts[k];
       report.pieces.push_back({end(part.piece, part.from), end(part.piece, part.to),
-                               is_join(part.piece), part.piece, part.from.exact() != Rational(0),
-                               part.to.exact() != Rational(1)});
+                               is_join(part.piece), part.piece, is_cut(part.from),
+                               is_cut(part.to)});
     }
     const BranchMeasure size = trimming_.measure(trimmed_, branch);
     report.length = measure(size.length, "the length of a branch", digits_);
@@ -265,7 +266,7 @@ class Pocket {
       const Rational t = (at.from.enclose(bits).midpoint() + at.to.enclose(bits).midpoint()) / 2;
       const auto has = [&, &outer = offset](const OffsetPart& part) {
         return are_alike(outer, part.piece, levels_[level + 1].offset, at.piece) &&
-               part.from.enclose(bits).lower() <= t && t <= part.to.enclose(bits).upper();
+               hull(part.from.enclose(bits), part.to.enclose(bits), bits).contains(t);
       };
       for (std::size_t k = 0; k < branches.size(); ++k)
         if (std::ranges::any_of(branches[k].parts, has)) return k;

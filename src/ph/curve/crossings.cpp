@@ -99,6 +99,7 @@ class CrossingSearch {
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
     if (is_idle(node) || first_.is_simple(node, query_.is_idle_beyond_reversals)) return true;
+    if (node.is_arc() && query_.are_idle && query_.are_idle(node, node)) return true;
     if (!is_left()) return false;
     if (is_too_short(node)) return leave_undecided({part_of(node), part_of(node)});
     first_.split(node);
