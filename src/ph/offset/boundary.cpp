@@ -134,10 +134,11 @@ class Trimmer {
       events_[piece].push_back({to_real(t), enclose(t, place_bits), place, false, t});
   }
   void add_event(std::size_t piece, Real t, std::size_t place, const Crossing& crossing) {
-    if (t.exact()) return add_event(piece, RealAlgebraic(*t.exact()), place);
     if (piece >= own_) return;
     RealBall ball = t.enclose(place_bits);
-    events_[piece].push_back({std::move(t), std::move(ball), place, false, {}, crossing});
+    std::optional<RealAlgebraic> exact;
+    if (t.exact()) exact = *t.exact();
+    events_[piece].push_back({std::move(t), std::move(ball), place, false, exact, crossing});
   }
   void add_fuzzy(const CurvePart& part, std::size_t place) {
     if (part.segment >= own_) return;
@@ -230,15 +231,21 @@ class Trimmer {
     coincident_ = std::move(found.coincident);
     add_coincidences();
     if (found.is_cut_off) throw Undecided(function_ + ": branches touch at too many places");
+    std::vector<Crossing> again;  // told of an earlier piece on the same way, too
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
       if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))
         continue;
+      if (twin(x.first_segment, x.first_t) || twin(x.second_segment, x.second_t)) {
+        again.push_back(x);
+        continue;
+      }
       const std::size_t place = classes_.add();
       const auto [s, t] = parameters(x);
       add_event(x.first_segment, s, place, x);
       add_event(x.second_segment, t, place, x);
     }
+    for (const Crossing& x : again) add_again(x);
     for (const KnownMeeting& x : found.touching) {
       const std::size_t place = classes_.add();
       add_event(x.first_segment, x.first_t, place);
@@ -257,6 +264,39 @@ class Trimmer {
       return x.second_segment == piece && (x.is_alike || piece >= own_) &&
              is_in_second(x, t.lower(), t.upper());
     });
+  }
+
+  /// The earlier piece that it coincides with there, going the other way.
+  std::optional<std::size_t> twin(std::size_t piece, const RealBall& t) const {
+    for (const CoincidentParts& x : coincident_)
+      if (x.second_segment == piece && x.first_segment != piece &&
+          is_in_second(x, t.lower(), t.upper()))
+        return x.first_segment;
+    return std::nullopt;
+  }
+
+  /// A crossing with the second one of two pieces that coincide. On the piece that crosses both it
+  /// is the place where that crosses the first one, which is an event already.
+  void add_again(const Crossing& x) {
+    const auto [s, t] = parameters(x);
+    const bool is_first = twin(x.first_segment, x.first_t).has_value();
+    const std::size_t piece = is_first ? x.first_segment : x.second_segment;
+    const std::size_t across = is_first ? x.second_segment : x.first_segment;
+    const std::size_t earlier = *twin(piece, is_first ? x.first_t : x.second_t);
+    const Real& at = is_first ? s : t;
+    const Real& at_across = is_first ? t : s;
+    const auto is_there = [&](const Event& event) {
+      return event.crossing && event.ball.overlaps(at_across.enclose(place_bits)) &&
+             (event.crossing->first_segment == earlier ||
+              event.crossing->second_segment == earlier);
+    };
+    if (across < own_)
+      if (const auto found = std::ranges::find_if(events_[across], is_there);
+          found != events_[across].end())
+        return add_event(piece, at, found->place, x);
+    const std::size_t place = classes_.add();
+    add_event(piece, at, place, x);
+    add_event(across, at_across, place, x);
   }
 
   bool is_folded(const CurveNode& node) const {

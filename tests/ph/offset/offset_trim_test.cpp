@@ -522,6 +522,53 @@ TEST_CASE("offset_trim: of lines that are gone along twice in different manners 
   check(-d, {20, 23}, 21);
 }
 
+// As above, and then across: the way to (-1/2, 3) has its offset on x = 0, so that it meets the
+// end of what coincides, at t = (sqrt 15 - 3)/2 of the fifth piece, and of the first one at t = 0.
+TEST_CASE("offset_trim: a crossing at the irrational end of what coincides") {
+  const auto line = [](const Rational& from, const Polynomial& rate) {
+    return Curve({{1}, {}, {}, {}}, rate, {from, 0, 0});
+  };
+  PhPath path(line(0, {3, 0, 6}));
+  append_lines(path, {{5, 4, 0}, {-3, 4, 0}, {-3, 0, 0}});
+  path.append(line(-3, {6, 4}));
+  append_lines(path, {{5, -3, 0}, {Rational(-1, 2), -3, 0}, {Rational(-1, 2), 3, 0}});
+  const TrimmedOffset found = trimmed_offset(path, Rational(1, 2));
+  CHECK(found.undecided.empty());
+  REQUIRE(found.branches.size() == 3);
+  CHECK(found.branches[0].is_closed);
+  const BranchMeasure room = measure(path, found, found.branches[0]);
+  CHECK(std::abs(approximate(room.length) - 13) < 1e-12);
+  CHECK(std::abs(approximate(*room.area) + 9) < 1e-12);
+}
+
+// A slot of the width 1/2 along a curve, closed by lines at both ends: in its middle both sides
+// coincide, and each line crosses both of them in one point, which is irrational.
+TEST_CASE("offset_trim: both sides of a slot coincide and are crossed in one point") {
+  const Curve side({{1}, {}, {}, {0, 1}});
+  const Curve other = reversed(std::get<Curve>(identify(offset(side, Rational(-1, 2)))));
+  PhPath path(side);
+  append_lines(path, {other.start()});
+  path.append(other);
+  append_lines(path, {side.start()});
+  const TrimmedOffset found = trimmed_offset(path, Rational(-1, 4));
+  CHECK(found.undecided.empty());
+  REQUIRE(found.branches.size() == 1);
+  CHECK(found.branches[0].is_closed);
+  const BranchMeasure both = measure(path, found, found.branches[0]);
+  CHECK(std::abs(approximate(*both.area)) < 1e-15);
+  // From x = t - t^3/3 - t/(2 + 2t^2) = 1/4 to y = t^2 + (1 - t^2)/(4 + 4t^2) = 3/4, where t^4 =
+  // 1/2, there and back; s = t + t^3/3, and the tangent turns by 2 arctan t.
+  double from = 0;
+  for (double to = 1; to - from > 1e-16;) {
+    const double t = (from + to) / 2;
+    if (t == from || t == to) break;
+    (t - t * t * t / 3 - t / (2 + 2 * t * t) < 0.25 ? from : to) = t;
+  }
+  const auto length = [](double t) { return t + t * t * t / 3 - std::atan(t) / 2; };
+  CHECK(std::abs(approximate(both.length) - 2 * (length(std::pow(0.5, 0.25)) - length(from))) <
+        1e-14);
+}
+
 // Gone along to (5, 0), and back from (7, 0) to (-2, 0).
 TEST_CASE("offset_trim: of a line that is gone along there and back both sides are left") {
   PhPath path(Curve({{1}, {}, {}, {}}, {3, 0, 6}));
