@@ -795,6 +795,7 @@ TEST_CASE("offset_trim: rooms with walls that go to and fro") {
     }
   };
   check({4, -20, 48, -32}, 0);
+  check(Polynomial{4, -2} - Polynomial::monomial(2, 61), 0);  // in one way, of degree 61
   // x' = -64 + 360t - 360t^2.
   const double t = (360 - std::sqrt(37440)) / 720;
   check({4, -64, 180, -120}, -4 + 64 * t - 180 * t * t + 120 * t * t * t - 0.5);
