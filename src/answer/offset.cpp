@@ -285,14 +285,14 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
   if (query.distances.size() != 1)
     throw DomainError("pocket: one distance is wanted, of which the others are multiples");
   const Rational& d = query.distances.front();
-  if (!path.is_closed()) throw DomainError("pocket: the path is open");
+  if (!path.is_closed()) throw InputError("pocket", "the path is open");
   const auto is_plane = [](const Segment& segment) {
     return rational_curve(segment)->direction()[2].is_zero();
   };
   if (!std::ranges::all_of(path.segments(), is_plane))
     throw DomainError("offset: the path is in no plane z = const");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
-    throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
+    throw InputError("pocket", "the distance " + to_string(d) + " is to the outside of the path");
   // Mitres may be left far outside.
   if (query.join != OffsetJoin::mitre && !trimming.at((most_levels + 1) * d).branches.empty())
     refuse_many_levels(d);
