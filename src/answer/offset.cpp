@@ -98,15 +98,19 @@ class OffsetReport {
   }
 
   void add_meetings(OffsetAnswer::Part& part) const {
-    const long bits = 4 * digits_ + 64;
+    const long bits = 4 * digits_ + 640;  // next to near-cusps the weight has few of them
     const SelfIntersections found = self_intersections(offset_, bits);
     const auto add_meeting = [&](std::size_t first, const RealBall& first_t, std::size_t second,
                                  const RealBall& second_t, bool touches) {
       const OffsetPiece& piece = offset_.pieces[first];
+      const auto on = [&](std::size_t of, const RealBall& t, std::size_t k) {
+        const RationalCurve& curve = offset_.pieces[of].curve;
+        return divide(evaluate(curve.numerator()[k], t, bits), evaluate(curve.weight(), t, bits),
+                      bits);
+      };
       const auto at = [&](std::size_t k) {
-        return rounded_as_known(divide(evaluate(piece.curve.numerator()[k], first_t, bits),
-                                       evaluate(piece.curve.weight(), first_t, bits), bits),
-                                digits_);
+        const RealBall x = on(first, first_t, k);
+        return rounded_as_known(x.is_accurate(bits / 2) ? x : on(second, second_t, k), digits_);
       };
       part.meetings.push_back({{parameter(first, first_t), piece.is_join},
                                {parameter(second, second_t), offset_.pieces[second].is_join},
