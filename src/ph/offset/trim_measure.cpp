@@ -63,7 +63,7 @@ struct PartMeasure {
   Real area;
 };
 
-/// A part, of which the ends are known to so many bits.
+/// The ends of a part, known well enough to tell them apart.
 struct PartEnds {
   Rational from;
   Rational to;
@@ -80,10 +80,9 @@ struct PartEnds {
   int way() const { return from < to ? 1 : -1; }
   /// The sign of p on it, where that does not change.
   int sign_of(const Polynomial& p) const {
-    int sign = 0;
-    for (Rational share(1, 2); sign == 0; share = share * Rational(2, 3))
-      sign = p(from + share * (to - from)).sign();
-    return sign;
+    Rational at = (from + to) / 2;
+    while (from != to && p(at) == 0) at = (at + to) / 2;
+    return p(at).sign();
   }
 };
 
