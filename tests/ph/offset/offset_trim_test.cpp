@@ -801,6 +801,23 @@ TEST_CASE("offset_trim: rooms with walls that go to and fro") {
   check({4, -64, 180, -120}, -4 + 64 * t - 180 * t * t + 120 * t * t * t - 0.5);
 }
 
+// From (0, 0) to (1, 0) and back, up, and along y = 2, whose offset on y = 1/2 comes out of the
+// circle of the radius 3/2 about (1, 0) at x = 1 + sqrt 2. And where x' = 3 - 6t^2, the line turns
+// back at the irrational x = sqrt 2, where that circle is met at x = 2 sqrt 2.
+TEST_CASE("offset_trim: an offset ends on the circle about a place where the path turns back") {
+  for (const auto& [rate, tip] :
+       {std::pair(Polynomial{4, -8}, 1.0), {Polynomial{3, 0, -6}, std::sqrt(2.0)}}) {
+    PhPath path(Curve({{1}, {}, {}, {}}, rate));
+    const Rational end = end_point(path.segments()[0])[0];
+    append_lines(path, {{end, 2, 0}, {5, 2, 0}});
+    const TrimmedOffset found = trimmed_offset(path, Rational(-3, 2));
+    CHECK(found.undecided.empty());
+    REQUIRE(found.branches.size() == 1);
+    const double length = approximate(measure(path, found, found.branches[0]).length);
+    CHECK(std::abs(length - (5 - tip - std::sqrt(2.0))) < 1e-14);
+  }
+}
+
 // Where it would be cut for its turning, at 3/8, it turns back; both ends are left.
 TEST_CASE("offset_trim: a path that turns back at a short fraction") {
   const PhPath path(Curve({{-6, 4, -2}, {}, {}, {4, Rational(-55, 7), 2}}, {3, -8}));
