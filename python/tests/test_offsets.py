@@ -45,7 +45,7 @@ def test_a_pocket():
     triangle = phrame.Path([phrame.Path.from_control_points([a, b]) for a, b in zip(corners, corners[1:])])
     # Similar to it, with the inradius 1 − k/4.
     assert [path.length for path in triangle.offset("-1/4", pocket=True)] == [9, 6, 3]
-    with pytest.raises(phrame.DomainError, match="the path is open"):
+    with pytest.raises(phrame.InputError, match="the path is open"):
         CORNER.offset(1, pocket=True)
 
 

@@ -256,6 +256,14 @@ ConstructionAnswer answer(const GivenPoints& given, const ConstructQuery& query)
                                  row->named.takes_lengths ? "wants" : "takes no"));
   if (row->named.takes_lengths && query.points == PointRule::exact)
     throw InputError(fmt::format("the kind {} does not meet points exactly", row->named.name));
+  if (query.kind == CurveKind::planar)
+    for (const auto& [what, list] :
+         {std::pair("point", &given.points), {"derivative at point", &given.derivatives}})
+      for (std::size_t k = 0; k < list->size(); ++k)
+        if ((*list)[k][2] != 0)
+          throw InputError(
+              fmt::format("the {} {} has z = {}, but a plane curve is wanted, in z = 0", what,
+                          k + 1, as_written((*list)[k][2])));
   HermiteSpline data = hermite_spline(given, query.is_closed);
   const std::vector<Rational> lengths =
       query.lengths.empty() ? std::vector<Rational>() : segment_lengths(data, query.lengths);

@@ -98,15 +98,19 @@ class OffsetReport {
   }
 
   void add_meetings(OffsetAnswer::Part& part) const {
-    const long bits = 4 * digits_ + 64;
+    const long bits = 4 * digits_ + 640;  // next to near-cusps the weight has few of them
     const SelfIntersections found = self_intersections(offset_, bits);
     const auto add_meeting = [&](std::size_t first, const RealBall& first_t, std::size_t second,
                                  const RealBall& second_t, bool touches) {
       const OffsetPiece& piece = offset_.pieces[first];
+      const auto on = [&](std::size_t of, const RealBall& t, std::size_t k) {
+        const RationalCurve& curve = offset_.pieces[of].curve;
+        return divide(evaluate(curve.numerator()[k], t, bits), evaluate(curve.weight(), t, bits),
+                      bits);
+      };
       const auto at = [&](std::size_t k) {
-        return rounded_as_known(divide(evaluate(piece.curve.numerator()[k], first_t, bits),
-                                       evaluate(piece.curve.weight(), first_t, bits), bits),
-                                digits_);
+        const RealBall x = on(first, first_t, k);
+        return rounded_as_known(x.is_accurate(bits / 2) ? x : on(second, second_t, k), digits_);
       };
       part.meetings.push_back({{parameter(first, first_t), piece.is_join},
                                {parameter(second, second_t), offset_.pieces[second].is_join},
@@ -175,6 +179,7 @@ class TrimReport {
   }
 
   bool is_join(std::size_t piece) const { return trimmed_.offset.pieces[piece].is_join; }
+  static bool is_cut(const Real& t) { return t.exact() != Rational(0) && t.exact() != Rational(1); }
 
   OffsetAnswer::Branch make(const TrimmedBranch& branch) const {
     OffsetAnswer::Branch report{branch.is_closed, {}, paths(trimmed_, branch, digits_), {}, {}};
@@ -182,8 +187,8 @@ class TrimReport {
     for (std::size_t k = 0; k < count; ++k) {
       const OffsetPart& part = branch.parts[k];
       report.pieces.push_back({end(part.piece, part.from), end(part.piece, part.to),
-                               is_join(part.piece), part.piece, part.from.exact() != Rational(0),
-                               part.to.exact() != Rational(1)});
+                               is_join(part.piece), part.piece, is_cut(part.from),
+                               is_cut(part.to)});
     }
     const BranchMeasure size = trimming_.measure(trimmed_, branch);
     report.length = measure(size.length, "the length of a branch", digits_);
@@ -265,7 +270,7 @@ class Pocket {
       const Rational t = (at.from.enclose(bits).midpoint() + at.to.enclose(bits).midpoint()) / 2;
       const auto has = [&, &outer = offset](const OffsetPart& part) {
         return are_alike(outer, part.piece, levels_[level + 1].offset, at.piece) &&
-               part.from.enclose(bits).lower() <= t && t <= part.to.enclose(bits).upper();
+               hull(part.from.enclose(bits), part.to.enclose(bits), bits).contains(t);
       };
       for (std::size_t k = 0; k < branches.size(); ++k)
         if (std::ranges::any_of(branches[k].parts, has)) return k;
@@ -284,14 +289,14 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
   if (query.distances.size() != 1)
     throw DomainError("pocket: one distance is wanted, of which the others are multiples");
   const Rational& d = query.distances.front();
-  if (!path.is_closed()) throw DomainError("pocket: the path is open");
+  if (!path.is_closed()) throw InputError("pocket", "the path is open");
   const auto is_plane = [](const Segment& segment) {
     return rational_curve(segment)->direction()[2].is_zero();
   };
   if (!std::ranges::all_of(path.segments(), is_plane))
     throw DomainError("offset: the path is in no plane z = const");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
-    throw DomainError("pocket: the distance " + to_string(d) + " is to the outside of the path");
+    throw InputError("pocket", "the distance " + to_string(d) + " is to the outside of the path");
   // Mitres may be left far outside.
   if (query.join != OffsetJoin::mitre && !trimming.at((most_levels + 1) * d).branches.empty())
     refuse_many_levels(d);

@@ -76,7 +76,10 @@ class Left {
  public:
   void add(std::size_t curve, const Real& from, const Real& to) {
     constexpr long bits = 96;
-    parts_.emplace(curve, std::pair(from.enclose(bits).upper(), to.enclose(bits).lower()));
+    RealBall lower = from.enclose(bits);
+    RealBall upper = to.enclose(bits);
+    if (lower.midpoint() > upper.midpoint()) std::swap(lower, upper);
+    parts_.emplace(curve, std::pair(lower.upper(), upper.lower()));
   }
 
   bool operator()(std::size_t curve, const Rational& t) const {
@@ -103,10 +106,8 @@ Left left_of(const EnvelopeAnswer& answer) {
   Left left;
   for (const auto& branch : answer.branches)
     for (const auto& piece : branch.pieces)
-      if (piece.kind == EnvelopePiece::Kind::right)
-        left.add(0, piece.from.t, piece.to.t);
-      else if (piece.kind == EnvelopePiece::Kind::left)
-        left.add(1, piece.to.t, piece.from.t);
+      if (piece.kind == EnvelopePiece::Kind::right || piece.kind == EnvelopePiece::Kind::left)
+        left.add(piece.kind == EnvelopePiece::Kind::right ? 0 : 1, piece.from.t, piece.to.t);
   return left;
 }
 

@@ -49,6 +49,7 @@ ErrorSize error_size(const Real& number, const std::string& name, long digits) {
 }
 
 Decimal rounded_as_known(const RealBall& x, long digits) {
+  if (!x.is_finite()) throw Undecided("a number is not told within the digits of its parameter");
   const Rational lower = x.lower();
   const Rational upper = x.upper();
   const Rational most = std::max(abs(lower), abs(upper));
@@ -65,9 +66,11 @@ Decimal rounded_as_known(const RealBall& x, long digits) {
 }
 
 Decimal rounded_as_known(const Real& x, const std::string& name, long digits) {
-  constexpr long bits = 128;
-  const RealBall near = x.exact() ? RealBall() : x.enclose(bits);
-  if (x.exact() || near.is_accurate(bits / 2)) return rounded_or_zero(x, name, digits);
+  if (x.exact()) return rounded_or_zero(x, name, digits);
+  long bits = 128;
+  RealBall near = x.enclose(bits);
+  for (; !near.is_finite() && bits < 8192; bits *= 4) near = x.enclose(4 * bits);
+  if (near.is_accurate(bits / 2)) return rounded_or_zero(x, name, digits);
   return rounded_as_known(near, digits);
 }
 

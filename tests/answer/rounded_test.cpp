@@ -66,4 +66,13 @@ TEST_CASE("rounded: of an enclosure, the digits in which its ends agree") {
   CHECK(wide.value.size() == 1);
   CHECK(parse_rational(wide.radius) >= Rational(1, 2));
   CHECK(parse_rational(wide.radius) <= 1);
+  // A quotient whose divisor may be 0, and one that is known with more bits.
+  const RealBall none = divide(RealBall(Rational(1), 64), ball("-1", "1"), 64);
+  CHECK_THROWS_AS(rounded_as_known(none, 12), Undecided);
+  const Rational little = power_of_ten(-60);
+  const Real seen([&](long bits) {
+    const RealBall below = hull(little - power_of_two(-bits), little + power_of_two(-bits), bits);
+    return divide(RealBall(little, bits), below, bits);
+  });
+  CHECK(rounded_as_known(seen, "a quotient", 12).value == "1.00000000000");
 }

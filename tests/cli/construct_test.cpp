@@ -155,8 +155,8 @@ TEST_CASE("construct: --kind planar makes the four plane curves, the good one fi
     energy = number(report["energy"]);
   }
   CHECK(contains(here.run("construct - --kind planar", arch).out, "planar, solution 1 of 4"));
-  check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 3,
-                "point 2 has z = 1, but a plane curve is wanted");
+  check_failure(here.run("construct - --kind planar", "0,0,0\n1,1,1\n"), 2,
+                "standard input: the point 2 has z = 1, but a plane curve is wanted, in z = 0\n");
   check_failure(here.run("construct - --solution 2", arch), 2,
                 "--solution: needs --kind planar, --kind cubic or --kind helical");
   check_failure(here.run("construct - --kind planar --select bv", arch), 2,

@@ -194,7 +194,10 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   CHECK(contains(here.run("offset turn.json --distance -1 --trim --print latex").out, "stretch"));
   here.write("back.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [1, -3],
       "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
-  check_failure(here.run("offset back.json --distance 1 --trim -o off.json"), 3,
+  CHECK(contains(here.run("offset back.json --distance 1 --trim").out, "stretch"));
+  here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
+  check_failure(here.run("offset back.json --distance 1 --trim --gauge circle.json -o off.json"), 3,
                 "phrame: trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
@@ -241,10 +244,10 @@ TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
     const Json& at = levels[k]["branches"][0]["parts"][0]["from"]["point"][0]["value"];
     CHECK((std::stod(at.get<std::string>()) < 12) == (k < 5));
   }
-  check_failure(here.run("offset rooms.json --distance 1 --pocket -o off.dxf"), 3,
+  check_failure(here.run("offset rooms.json --distance 1 --pocket -o off.dxf"), 2,
                 "phrame: pocket: the distance 1 is to the outside of the path\n");
   here.write("corner.json", corner);
-  check_failure(here.run("offset corner.json --distance -1 --pocket"), 3,
+  check_failure(here.run("offset corner.json --distance -1 --pocket"), 2,
                 "phrame: pocket: the path is open\n");
   here.write("triangle.svg", "<svg><path d='M0,0 L4,0 L4,3 Z'/></svg>");
   check_failure(here.run("offset triangle.svg --distance -1e-20 --pocket -o off.dxf"), 2,
@@ -699,10 +702,10 @@ TEST_CASE("offset --gauge --pocket: rectangles under an ellipse, until nothing i
     CHECK(level["branches"][0]["area"]["exact"] == to_string(Rational(a * b)));
     CHECK(level["branches"][0]["length"]["exact"] == to_string(Rational(2 * (a + b))));
   }
-  check_failure(here.run("offset box.svg --distance 1/7 --pocket --gauge ellipse.json"), 3,
+  check_failure(here.run("offset box.svg --distance 1/7 --pocket --gauge ellipse.json"), 2,
                 "phrame: pocket: the distance 1/7 is to the outside of the path\n");
   here.write("corner.json", corner);
-  check_failure(here.run("offset corner.json --distance 1/7 --pocket --gauge ellipse.json"), 3,
+  check_failure(here.run("offset corner.json --distance 1/7 --pocket --gauge ellipse.json"), 2,
                 "phrame: pocket: the path is open\n");
 }
 
@@ -821,8 +824,19 @@ TEST_CASE("offset: what cannot be is refused in one line, and nothing is written
   check_failure(here.run("offset turn.json --distance 0 -o off.json"), 2,
                 "phrame: --distance: 0 is no distance\n");
   check_failure(here.run("offset turn.json --distance 1,x -o off.json"), 2, "phrame: --distance: ");
-  check_failure(here.run("offset quintic.json --distance 1 -o off.json"), 3,
-                "phrame: offset: the path is in no plane z = const\n");
+  here.write("space.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], [1, 2, 1], [3, 0, 0]]})");
+  here.write("path.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [1, 0, 1]]}]})");
+  for (const char* more : {"", " --trim", " --pocket", " --near 1e-3", " --check turn.json"}) {
+    const auto refused = [&](const std::string& file, const std::string& what) {
+      check_failure(here.run("offset " + file + " --distance 1 -o off.json" + more), 2,
+                    "phrame: " + file + ": " + what + " is in no plane z = const\n");
+    };
+    refused("quintic.json", "the curve");
+    refused("path.json", "segment 2");
+    if (std::string(more) != " --check turn.json") refused("space.json", "the curve");
+  }
   check_failure(here.run("offset bezier.json --distance 1 -o off.json"), 2, "phrame: bezier.json");
   check_failure(here.run("offset turn.json"), 2, "phrame: ");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));

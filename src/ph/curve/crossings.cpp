@@ -99,6 +99,7 @@ class CrossingSearch {
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
     if (is_idle(node) || first_.is_simple(node, query_.is_idle_beyond_reversals)) return true;
+    if (node.is_arc() && query_.are_idle && query_.are_idle(node, node)) return true;
     if (!is_left()) return false;
     if (is_too_short(node)) return leave_undecided({part_of(node), part_of(node)});
     first_.split(node);
@@ -306,7 +307,8 @@ bool CrossingSearch::add_crossing(const CurveNode& a, const CurveNode& b, Newton
         std::clamp(-2 * below, 0L, below == -unbounded_exponent ? 0 : most_crossing_bits);
     sign = sign_at(a, at.first, b, at.second, bits);
     if (sign != 0 && at.first.accuracy_bits() >= 40 && at.second.accuracy_bits() >= 40) break;
-    at = step(a, at.first, b, at.second, bits);
+    const NewtonStep next = step(a, at.first, b, at.second, bits);
+    if (next.first.is_finite() && next.second.is_finite()) at = next;
   }
   if (sign == 0) return leave_undecided({part_of(a), part_of(b)});
   found_.push_back({a.first_segment, at.first, b.first_segment, at.second, sign});

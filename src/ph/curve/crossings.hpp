@@ -58,6 +58,7 @@ struct CoincidentParts {
   std::size_t second_segment;  ///< that of the other, which is not before it
   RealAlgebraic second_from;   ///< likewise
   RealAlgebraic second_to;     ///< less than second_from where it goes the other way
+  bool is_alike = true;        ///< does H point the same way along both?
 };
 /// Where a plane curve meets itself.
 struct SelfIntersections {
@@ -78,7 +79,7 @@ struct CrossingQuery {
   std::function<bool(const CurveNode&, const CurveNode&)> are_idle = {};
   /// The same of a part, by a closer look, beside a short arc that nearly coincides with it.
   std::function<bool(const CurveNode&, const CurveNode&)> is_idle_beside = {};
-  /// Where a curve turns back, is nothing asked of one of the two branches?
+  /// Where a curve turns back, is nothing asked of one of the two branches, up to a break?
   bool is_idle_beyond_reversals = false;
 };
 /// All places where a curve in a plane z = const meets itself, open or closed, with cusps and

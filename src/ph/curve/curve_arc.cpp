@@ -292,7 +292,8 @@ void CurveTree::add_turning(CurveNode& arc, const RealBall& all, const RealBall&
       changed(turning.first_sign, count_between(turns_back, 0, arc.lower, false, true));
   arc.last_sign = changed(arc.first_sign, arc.reversals);
   arc.is_straight = turning.first_turn == 0;
-  arc.parts_at_reversals = turning.parts_at_reversals;
+  arc.has_break = count_between(turning.breaks, arc.lower, arc.upper, true, true) > 0;
+  arc.parts_at_reversals = turning.parts_at_reversals && !arc.has_break;
   if (count_between(turning.inflections, arc.lower, arc.upper, false, false) == 0)
     arc.turn =
         changed(turning.first_turn, count_between(turning.inflections, 0, arc.lower, false, true));
@@ -354,6 +355,7 @@ std::unique_ptr<CurveNode> CurveTree::make_group(std::size_t first, std::size_t 
   node->reversals = one.reversals + other.reversals;
   if (one.last_sign != other.first_sign) ++node->reversals;
   if (behind(middle) != middle + 1) node->reversals += not_seen;
+  node->has_break = one.has_break || other.has_break;
   node->parts_at_reversals = one.parts_at_reversals && other.parts_at_reversals &&
                              (behind(middle) == no_segment || is_smooth_behind(middle));
   return node;
@@ -380,8 +382,8 @@ bool CurveTree::share_end(const CurveNode& a, const CurveNode& b) const {
 bool CurveTree::is_simple(const CurveNode& node, bool is_one_branch_asked) const {
   return is_one_way(node.direction) &&
          (node.reversals == 0 ||
-          (node.reversals == 1 &&
-           (node.turn != 0 || node.parts_at_reversals || is_one_branch_asked)));
+          (node.reversals == 1 && (node.turn != 0 || node.parts_at_reversals ||
+                                   (is_one_branch_asked && !node.has_break))));
 }
 
 /// Around the curvature along H.
@@ -420,7 +422,7 @@ bool CurveTree::are_simple(const CurveNode& a, const CurveNode& b, bool is_one_b
   if (!is_one_way(hull_of(a.direction, b.direction))) return false;
   const long reversals =
       one.reversals + other.reversals + (one.last_sign != other.first_sign ? 1 : 0);
-  if (reversals == 1 && is_one_branch_asked) return true;
+  if (reversals == 1 && is_one_branch_asked && !one.has_break && !other.has_break) return true;
   const bool is_smooth = one.upper < 1 || is_smooth_behind(one.last_segment);
   const bool turns_one_way = (one.turn != 0 || one.is_straight) &&
                              (other.turn != 0 || other.is_straight) && one.turn + other.turn != 0;

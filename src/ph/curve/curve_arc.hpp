@@ -47,6 +47,7 @@ struct CurveNode {
   int turn = 0;        ///< the sign of H × H′ on an arc; 0 where it is not known or changes
   bool is_straight = false;          ///< is an arc known to be one?
   bool parts_at_reversals = false;   ///< as SegmentTurning has it, and all joints are smooth
+  bool has_break = false;            ///< of these, at an end, too
   std::optional<bool> is_idle = {};  ///< what a CrossingQuery says of it, once it was asked
   std::array<std::unique_ptr<CurveNode>, 2> halves = {};
 

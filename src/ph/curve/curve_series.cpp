@@ -150,8 +150,7 @@ SegmentTurning turning_of(const RationalCurve& curve) {
                          sign_after_zero(turn),
                          {},
                          evaluate(curve.direction(), 0),
-                         evaluate(curve.direction(), 1),
-                         false};
+                         evaluate(curve.direction(), 1)};
   if (turning.first_turn != 0) turning.inflections = sign_changes(turn);
   return turning;
 }

@@ -20,8 +20,10 @@ struct SegmentTurning {
   Vector<Rational> first_direction;        ///< H(0)
   Vector<Rational> last_direction;         ///< H(1)
   /// Is it known that the branches at a place in (0, 1) where p changes its sign have no other
-  /// point in common while H stays in a half-plane, nor with what is smoothly joined to them?
+  /// point in common while H stays in a half-plane, nor with what is smoothly joined to them? Of
+  /// parts with a place of `breaks` in them, or at an end, it is not.
   bool parts_at_reversals = false;
+  std::vector<RealAlgebraic> breaks = {};  ///< as where the path of an offset turns back
 };
 
 /// A curve of one or several segments, each on [0, 1], by Taylor series of its position: all that

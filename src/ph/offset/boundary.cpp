@@ -13,6 +13,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/close_crossings.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/exact_meetings.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -73,10 +74,15 @@ class Classes {
 /// A place of a piece at which its distance from the path may change.
 struct Event {
   Real t;
-  RealBall ball;          ///< around t
-  std::size_t place;      ///< a class: one point of the plane
-  bool is_fuzzy = false;  ///< may it be none, or several?
+  RealBall ball;                            ///< around t
+  std::size_t place;                        ///< a class: one point of the plane
+  bool is_fuzzy = false;                    ///< may it be none, or several?
+  std::optional<RealAlgebraic> exact = {};  ///< t, where that is known
+  std::optional<Crossing> crossing = {};    ///< that it is the place of, where it is one
 };
+
+/// Are both known to be one place?
+bool are_same(const Event& a, const Event& b) { return a.exact && b.exact && *a.exact == *b.exact; }
 
 /// Events of a piece that are not told apart.
 struct Cluster {
@@ -85,7 +91,9 @@ struct Cluster {
   Rational upper;
   /// The one that is known best.
   const Event& best() const {
-    const auto rank = [](const Event& x) { return x.t.exact() ? 0 : x.is_fuzzy ? 2 : 1; };
+    const auto rank = [](const Event& x) {
+      return x.t.exact() ? 0 : x.exact ? 1 : x.is_fuzzy ? 3 : 2;
+    };
     return *std::ranges::min_element(events, {}, rank);
   }
   bool is_fuzzy() const {
@@ -107,8 +115,7 @@ class Trimmer {
       : stroke_(stroke),
         function_(function),
         own_(stroke.own),
-        series_(std::make_shared<const CurveSeries>(
-            plane_series(stroke_.branches.curves, stroke_.branches.behind))),
+        series_(std::make_shared<const CurveSeries>(plane_series(stroke_.branches))),
         events_(own_) {}
 
   TrimmedCurves make() {
@@ -122,10 +129,16 @@ class Trimmer {
   }
 
  private:
-  void add_event(std::size_t piece, Real t, std::size_t place) {
+  void add_event(std::size_t piece, const RealAlgebraic& t, std::size_t place) {
+    if (piece < own_)
+      events_[piece].push_back({to_real(t), enclose(t, place_bits), place, false, t});
+  }
+  void add_event(std::size_t piece, Real t, std::size_t place, const Crossing& crossing) {
     if (piece >= own_) return;
     RealBall ball = t.enclose(place_bits);
-    events_[piece].push_back({std::move(t), std::move(ball), place});
+    std::optional<RealAlgebraic> exact;
+    if (t.exact()) exact = *t.exact();
+    events_[piece].push_back({std::move(t), std::move(ball), place, false, exact, crossing});
   }
   void add_fuzzy(const CurvePart& part, std::size_t place) {
     if (part.segment >= own_) return;
@@ -161,12 +174,11 @@ class Trimmer {
 
   void add_cusps() {
     for (std::size_t k = 0; k < own_; ++k)
-      for (const RealAlgebraic& t : series_->turning[k].reversals)
-        add_event(k, to_real(t), classes_.add());
+      for (const RealAlgebraic& t : series_->turning[k].reversals) add_event(k, t, classes_.add());
     for (const auto& [piece, t] : stroke_.events) {
       const std::size_t place = classes_.add();
       if (const auto exact = t.rational()) join_by_point(piece, *exact, place);
-      add_event(piece, to_real(t), place);
+      add_event(piece, t, place);
     }
   }
 
@@ -191,8 +203,8 @@ class Trimmer {
       for (const auto& [s, t] :
            {std::pair(x.first_from, x.second_from), std::pair(x.first_to, x.second_to)}) {
         const std::size_t place = classes_.add();
-        add_event(x.first_segment, to_real(s), place);
-        add_event(x.second_segment, to_real(t), place);
+        add_event(x.first_segment, s, place);
+        add_event(x.second_segment, t, place);
       }
   }
 
@@ -219,19 +231,25 @@ class Trimmer {
     coincident_ = std::move(found.coincident);
     add_coincidences();
     if (found.is_cut_off) throw Undecided(function_ + ": branches touch at too many places");
+    std::vector<Crossing> again;  // told of an earlier piece on the same way, too
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events
       if (is_repeated(x.first_segment, x.first_t) || is_repeated(x.second_segment, x.second_t))
         continue;
+      if (twin(x.first_segment, x.first_t) || twin(x.second_segment, x.second_t)) {
+        again.push_back(x);
+        continue;
+      }
       const std::size_t place = classes_.add();
       const auto [s, t] = parameters(x);
-      add_event(x.first_segment, s, place);
-      add_event(x.second_segment, t, place);
+      add_event(x.first_segment, s, place, x);
+      add_event(x.second_segment, t, place, x);
     }
+    for (const Crossing& x : again) add_again(x);
     for (const KnownMeeting& x : found.touching) {
       const std::size_t place = classes_.add();
-      add_event(x.first_segment, to_real(x.first_t), place);
-      add_event(x.second_segment, to_real(x.second_t), place);
+      add_event(x.first_segment, x.first_t, place);
+      add_event(x.second_segment, x.second_t, place);
     }
     for (const auto& [first, second] : found.undecided) {
       const std::size_t place = classes_.add();
@@ -242,14 +260,43 @@ class Trimmer {
 
   /// Is what happens there told of an earlier piece that it coincides with?
   bool is_repeated(std::size_t piece, const RealBall& t) const {
-    const auto is_inside = [&](const RealAlgebraic& from, const RealAlgebraic& to) {
-      return compare(from, t.lower()) < 0 && compare(to, t.upper()) > 0;
-    };
     return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
-      return x.second_segment == piece &&
-             (is_inside(x.second_from, x.second_to) ||
-              (piece >= own_ && is_inside(x.second_to, x.second_from)));
+      return x.second_segment == piece && (x.is_alike || piece >= own_) &&
+             is_in_second(x, t.lower(), t.upper());
     });
+  }
+
+  /// The earlier piece that it coincides with there, going the other way.
+  std::optional<std::size_t> twin(std::size_t piece, const RealBall& t) const {
+    for (const CoincidentParts& x : coincident_)
+      if (x.second_segment == piece && x.first_segment != piece &&
+          is_in_second(x, t.lower(), t.upper()))
+        return x.first_segment;
+    return std::nullopt;
+  }
+
+  /// A crossing with the second one of two pieces that coincide. On the piece that crosses both it
+  /// is the place where that crosses the first one, which is an event already.
+  void add_again(const Crossing& x) {
+    const auto [s, t] = parameters(x);
+    const bool is_first = twin(x.first_segment, x.first_t).has_value();
+    const std::size_t piece = is_first ? x.first_segment : x.second_segment;
+    const std::size_t across = is_first ? x.second_segment : x.first_segment;
+    const std::size_t earlier = *twin(piece, is_first ? x.first_t : x.second_t);
+    const Real& at = is_first ? s : t;
+    const Real& at_across = is_first ? t : s;
+    const auto is_there = [&](const Event& event) {
+      return event.crossing && event.ball.overlaps(at_across.enclose(place_bits)) &&
+             (event.crossing->first_segment == earlier ||
+              event.crossing->second_segment == earlier);
+    };
+    if (across < own_)
+      if (const auto found = std::ranges::find_if(events_[across], is_there);
+          found != events_[across].end())
+        return add_event(piece, at, found->place, x);
+    const std::size_t place = classes_.add();
+    add_event(piece, at, place, x);
+    add_event(across, at_across, place, x);
   }
 
   bool is_folded(const CurveNode& node) const {
@@ -267,7 +314,7 @@ class Trimmer {
         meetings(curves[part.segment], part, curves[other.segment], stroke_.centers[other.segment]);
     if (!found) return add_fuzzy(part, place);
     for (const RealAlgebraic& t : *found)
-      add_event(part.segment, to_real(t), found->size() == 1 ? place : classes_.add());
+      add_event(part.segment, t, found->size() == 1 ? place : classes_.add());
   }
 
   static CurvePart part_of(const CurveNode& arc) {
@@ -301,24 +348,38 @@ class Trimmer {
     return {real(true), real(false)};
   }
 
+  /// Is a crossing of the piece at a place that is known exactly?
+  void identify(std::size_t piece, Event& event, const Event& known) const {
+    if (!event.crossing || event.exact || !known.exact) return;
+    const Crossing& x = *event.crossing;
+    const bool is_first = piece == x.first_segment && x.first_t.overlaps(known.ball);
+    const auto& curves = stroke_.branches.curves;
+    const RealBall& t = is_first ? x.second_t : x.first_t;
+    if (passes_through(curves[is_first ? x.second_segment : x.first_segment],
+                       closed_interval(t.lower(), t.upper()), curves[piece], *known.exact))
+      event.exact = known.exact;
+  }
+
   /// By places; those that are not told apart are looked at with more bits, once.
-  void sort(std::vector<Event>& events) const {
+  void sort(std::size_t piece, std::vector<Event>& events) const {
     const auto lower = [](const Event& x) { return x.ball.lower(); };
     std::ranges::sort(events, {}, lower);
     for (std::size_t k = 0; k + 1 < events.size(); ++k) {
       Event& a = events[k];
       Event& b = events[k + 1];
-      const bool is_same = a.t.exact() && a.t.exact() == b.t.exact();
-      if (a.is_fuzzy || b.is_fuzzy || is_same || !a.ball.overlaps(b.ball)) continue;
+      if (a.is_fuzzy || b.is_fuzzy || are_same(a, b) || !a.ball.overlaps(b.ball)) continue;
       a.ball = a.t.enclose(closest_place_bits);
       b.ball = b.t.enclose(closest_place_bits);
+      if (!a.ball.overlaps(b.ball)) continue;
+      identify(piece, a, b);
+      identify(piece, b, a);
     }
     std::ranges::sort(events, {}, lower);
   }
 
   std::vector<Cluster> clusters(std::size_t piece) {
     std::vector<Event>& events = events_[piece];
-    sort(events);
+    sort(piece, events);
     std::vector<Cluster> found;
     for (Event& x : events) {
       const Rational lower = x.ball.lower();
@@ -334,12 +395,15 @@ class Trimmer {
     return found;
   }
 
-  /// Is it on an earlier piece, too, that goes the same way? Of what is there twice one is left.
+  /// Is it on an earlier piece, too, with H the same way? Of what is there twice one is left.
   bool is_doubled(std::size_t piece, const Rational& t) const {
     return std::ranges::any_of(coincident_, [&](const CoincidentParts& x) {
-      return x.second_segment == piece && compare(x.second_from, t) < 0 &&
-             compare(x.second_to, t) > 0;
+      return x.is_alike && x.second_segment == piece && is_in_second(x, t, t);
     });
+  }
+  static bool is_in_second(const CoincidentParts& x, const Rational& lower, const Rational& upper) {
+    const auto& [from, to] = std::minmax(x.second_from, x.second_to);
+    return compare(from, lower) < 0 && compare(to, upper) > 0;
   }
 
   void add_edges(std::size_t piece) {
@@ -379,9 +443,8 @@ class Trimmer {
   /// Of what is alike on both sides.
   void add_undecided(std::size_t piece, const Cluster& cluster, bool is_left) {
     const auto& events = cluster.events;
-    const bool is_one = std::ranges::all_of(events, [&](const Event& x) {
-      return !x.is_fuzzy && x.t.exact() && x.t.exact() == events.front().t.exact();
-    });
+    const bool is_one = std::ranges::all_of(
+        events, [&](const Event& x) { return !x.is_fuzzy && are_same(x, events.front()); });
     if (!cluster.is_fuzzy() && (is_left || is_one || events.size() == 1)) return;
     if (is_doubled(piece, cluster.lower) && is_doubled(piece, cluster.upper)) return;
     if (!is_left && stroke_.is_covered(piece, cluster.lower, cluster.upper)) return;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/eliminant.hpp"
@@ -15,17 +16,6 @@
 
 namespace phrame::inline v0 {
 namespace {
-
-/// One coordinate of P − Q, times both weights.
-Bivariate gap(const RationalCurve& a, const RationalCurve& b, std::size_t k) {
-  const Polynomial p = a.numerator()[k];
-  const Polynomial q = b.numerator()[k];
-  const Polynomial& w = b.weight();
-  std::vector<Polynomial> rows;
-  for (long j = 0; j <= std::max(q.degree(), w.degree()); ++j)
-    rows.push_back(w.coefficient(j) * p - q.coefficient(j) * a.weight());
-  return Bivariate(rows);
-}
 
 /// X, Y and W modulo a prime, but for a common factor.
 class ModularCurve {
@@ -92,22 +82,32 @@ std::optional<Rational> partner(const Bivariate& factor, const Rational& s) {
   return -factor.coefficient(0)(s) / slope;
 }
 
+/// Does H point the same way at both places, where the curves have one tangent?
+bool are_alike(const RationalCurve& a, const Rational& s, const RationalCurve& b,
+               const Rational& t) {
+  return dot(evaluate(a.direction(), s), evaluate(b.direction(), t)) > 0;
+}
+
 /// Where s and t both are in [0, 1].
 std::vector<CoincidentParts> parts_along(const Bivariate& factor, std::size_t first,
-                                         std::size_t second) {
+                                         std::size_t second,
+                                         const std::vector<RationalCurve>& curves) {
   std::vector<Rational> cuts{0, 1};
   for (const Rational& t : {Rational(0), Rational(1)})
     if (const auto s = partner(swapped(factor), t); s && *s > 0 && *s < 1) cuts.push_back(*s);
   std::ranges::sort(cuts);
   std::vector<CoincidentParts> parts;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    const auto middle = partner(factor, (cuts[k] + cuts[k + 1]) / 2);
+    const Rational at = (cuts[k] + cuts[k + 1]) / 2;
+    const auto middle = partner(factor, at);
     if (cuts[k] == cuts[k + 1] || !middle || *middle <= 0 || *middle >= 1) continue;
     const Rational from = *partner(factor, cuts[k]);
     const Rational to = *partner(factor, cuts[k + 1]);
     // Of one curve the earlier part first, or all of what is gone along there and back.
     const bool is_twin = first == second && cuts[k] + cuts[k + 1] > from + to;
-    if (!is_twin) parts.push_back({first, cuts[k], cuts[k + 1], second, from, to});
+    if (!is_twin)
+      parts.push_back({first, cuts[k], cuts[k + 1], second, from, to,
+                       are_alike(curves[first], at, curves[second], *middle)});
   }
   return parts;
 }
@@ -117,15 +117,51 @@ PlaneBox opposite(const PlaneBox& box) {
           DoubleInterval{-box[1].upper, -box[1].lower}};
 }
 
+/// The coordinate by which the points of a straight curve are told apart.
+std::size_t axis_of(const RationalCurve& line) { return line.direction()[0](0) == 0 ? 1 : 0; }
+
+/// The t of a leg at which x, or y, is that number between those at its ends.
+RealAlgebraic place(const RationalCurve& line, const LineLeg& leg, const RealAlgebraic& x) {
+  if (x == leg.start) return leg.from;
+  if (x == leg.end) return leg.to;
+  // The polynomial of x at X/W, times a power of W.
+  const Polynomial numerator = line.numerator()[axis_of(line)];
+  const Polynomial& p = x.polynomial();
+  Polynomial sum;
+  Polynomial power{1};
+  for (long k = p.degree(); k >= 0; --k) {
+    sum = sum * numerator + p.coefficient(k) * power;
+    power *= line.weight();
+  }
+  const RationalFunction along(numerator, line.weight());
+  const std::vector<RealRoot> roots = real_roots(sum, closed_interval(0, 1));
+  return std::ranges::find_if(roots,
+                              [&](const RealRoot& root) {
+                                return root.at > leg.from && root.at < leg.to &&
+                                       (x.is_rational() || image(along, root.at) == x);
+                              })
+      ->at;
+}
+
 Interval parameters(const CurveNode& arc) {
   return closed_interval(exact_sum(arc.lower, 0).midpoint(), exact_sum(arc.upper, 0).midpoint());
 }
 
 }  // namespace
 
+Bivariate meeting_gap(const RationalCurve& a, const RationalCurve& b, std::size_t k) {
+  const Polynomial p = a.numerator()[k];
+  const Polynomial q = b.numerator()[k];
+  const Polynomial& w = b.weight();
+  std::vector<Polynomial> rows;
+  for (long j = 0; j <= std::max(q.degree(), w.degree()); ++j)
+    rows.push_back(w.coefficient(j) * p - q.coefficient(j) * a.weight());
+  return Bivariate(rows);
+}
+
 MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& b,
                                    bool is_one_curve) {
-  MeetingEquations made{gap(a, b, 0), gap(a, b, 1), {}};
+  MeetingEquations made{meeting_gap(a, b, 0), meeting_gap(a, b, 1), {}};
   if (is_one_curve) {
     const Bivariate diagonal({Polynomial{0, -1}, Polynomial{1}});
     made.f = exact_quotient(made.f, diagonal);
@@ -138,6 +174,8 @@ MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& 
   for (BivariateFactor& x : factor(common)) made.shared.push_back(std::move(x.base));
   return made;
 }
+
+bool is_straight(const RationalCurve& curve) { return binormal(curve)[2].is_zero(); }
 
 bool is_bilinear(const Bivariate& factor) {
   return factor.degree() == 1 && swapped(factor).degree() == 1;
@@ -168,7 +206,8 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
     all.push_back(plane_box(series.boxes[k]));
     ends.push_back({box_at(curves[k], 0), box_at(curves[k], 1)});
     order.push_back(k);
-    if (images[k].may_visit(images[k], 1)) add(k, k, curves);
+    if (is_straight(k) ? !turning_[k].reversals.empty() : images[k].may_visit(images[k], 1))
+      add(k, k, curves);
   }
   const auto lower = [&](std::size_t k) { return all[k][0].lower; };
   std::ranges::sort(order, {}, lower);
@@ -182,63 +221,81 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   for (auto a = order.begin(); a != order.end(); ++a)
     for (auto b = a + 1; b != order.end() && lower(*b) <= all[*a][0].upper; ++b) {
       const auto [first, second] = std::minmax(*a, *b);
-      if ((may_end_on(first, second) || may_end_on(second, first)) &&
-          images[second].may_visit(images[first], 0))
+      if (is_straight(first) && is_straight(second)
+              ? !are_apart(all[first], all[second])
+              : (may_end_on(first, second) || may_end_on(second, first)) &&
+                    images[second].may_visit(images[first], 0))
         add(first, second, curves);
     }
   std::ranges::sort(parts_, {}, [](const CoincidentParts& x) {
-    return std::tuple(x.first_segment, x.first_from, x.second_segment);
+    return std::tuple(x.first_segment, x.first_from, x.second_segment, x.second_from);
   });
 }
 
-// On one line, both without turning back, they have in common what lies between the ends.
-bool Coincidences::add_lines(std::size_t first, std::size_t second,
+const std::vector<LineLeg>& Coincidences::legs_of(std::size_t line, const RationalCurve& curve) {
+  std::vector<LineLeg>& legs = legs_[line];
+  if (!legs.empty()) return legs;
+  const RationalFunction x(curve.numerator()[axis_of(curve)], curve.weight());
+  RealAlgebraic from;
+  RealAlgebraic start = image(x, from);
+  std::vector<RealAlgebraic> ends = turning_[line].reversals;
+  ends.emplace_back(1);
+  for (const RealAlgebraic& to : ends) {
+    RealAlgebraic end = image(x, to);
+    legs.push_back({std::exchange(from, to), to, std::exchange(start, end), end});
+  }
+  return legs;
+}
+
+// Between two legs on one line all points of both ranges of x are common ones.
+void Coincidences::add_legs(std::size_t first, const LineLeg& a, std::size_t second,
+                            const LineLeg& b, const std::vector<RationalCurve>& curves) {
+  const RealAlgebraic lower = std::max(std::min(a.start, a.end), std::min(b.start, b.end));
+  const RealAlgebraic upper = std::min(std::max(a.start, a.end), std::max(b.start, b.end));
+  if (lower > upper) return;
+  RealAlgebraic s = place(curves[first], a, lower);
+  RealAlgebraic t = place(curves[second], b, lower);
+  if (lower == upper) {
+    points_.push_back({first, s, second, t});
+    return;
+  }
+  RealAlgebraic s_to = place(curves[first], a, upper);
+  RealAlgebraic t_to = place(curves[second], b, upper);
+  if (s > s_to) {
+    std::swap(s, s_to);
+    std::swap(t, t_to);
+  }
+  parts_.push_back(
+      {first, s, s_to, second, t, t_to, are_alike(curves[first], 0, curves[second], 0)});
+}
+
+void Coincidences::add_lines(std::size_t first, std::size_t second,
                              const std::vector<RationalCurve>& curves) {
-  for (const std::size_t k : {first, second})
-    if (turning_[k].first_turn != 0 || !turning_[k].reversals.empty()) return false;
   const Vector<Rational> h = evaluate(curves[first].direction(), 0);
-  const Vector<Rational> gap = point(curves[second], 0) - point(curves[first], 0);
   const auto is_along = [&](const Vector<Rational>& v) { return h[0] * v[1] == h[1] * v[0]; };
-  if (!is_along(gap) || !is_along(evaluate(curves[second].direction(), 0))) return false;
-  const std::size_t along = h[0] == 0 ? 1 : 0;
-  std::vector<Rational> lower;
-  std::vector<Rational> upper;
-  for (const std::size_t k : {first, second}) {
-    const auto [from, to] = std::minmax({point(curves[k], 0)[along], point(curves[k], 1)[along]});
-    lower.push_back(from);
-    upper.push_back(to);
-  }
-  const Rational from = std::max(lower[0], lower[1]);
-  const Rational to = std::min(upper[0], upper[1]);
-  if (from >= to) return false;
-  const auto place = [&](std::size_t k, const Rational& x) -> RealAlgebraic {
-    for (const long end : {0L, 1L})
-      if (x == point(curves[k], end)[along]) return Rational(end);
-    return real_roots(curves[k].numerator()[along] - x * curves[k].weight(), closed_interval(0, 1))
-        .front()
-        .at;
-  };
-  std::array<RealAlgebraic, 2> s{place(first, from), place(first, to)};
-  std::array<RealAlgebraic, 2> t{place(second, from), place(second, to)};
-  if (compare(s[0], s[1]) > 0) {
-    std::swap(s[0], s[1]);
-    std::swap(t[0], t[1]);
-  }
+  if (!is_along(evaluate(curves[second].direction(), 0))) return;
   lines_.insert({first, second});
-  parts_.push_back({first, s[0], s[1], second, t[0], t[1]});
-  return true;
+  if (!is_along(point(curves[second], 0) - point(curves[first], 0))) return;
+  const std::vector<LineLeg>& a = legs_of(first, curves[first]);
+  const std::vector<LineLeg>& b = legs_of(second, curves[second]);
+  for (std::size_t j = 0; j < a.size(); ++j)
+    for (std::size_t k = first == second ? j + 1 : 0; k < b.size(); ++k)
+      add_legs(first, a[j], second, b[k], curves);
 }
 
 void Coincidences::add(std::size_t first, std::size_t second,
                        const std::vector<RationalCurve>& curves) {
-  if (first != second && add_lines(first, second, curves)) return;
+  if (is_straight(first) && is_straight(second)) return add_lines(first, second, curves);
   for (Bivariate& factor :
        meeting_equations(curves[first], curves[second], first == second).shared) {
     if (!is_bilinear(factor)) continue;
-    for (CoincidentParts& x : parts_along(factor, first, second)) parts_.push_back(std::move(x));
+    for (CoincidentParts& x : parts_along(factor, first, second, curves))
+      parts_.push_back(std::move(x));
     factors_[{first, second}].push_back(std::move(factor));
   }
 }
+
+bool Coincidences::is_straight(std::size_t k) const { return turning_[k].first_turn == 0; }
 
 bool Coincidences::cover(const CurveNode& a, const CurveNode& b) const {
   if ((factors_.empty() && lines_.empty()) || !a.is_arc() || !b.is_arc()) return false;

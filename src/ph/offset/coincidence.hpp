@@ -9,7 +9,10 @@
 
 namespace phrame::inline v0 {
 
-/// P(s) = Q(t) of two curves in a plane z = const, as f = g = 0, polynomials in t over ℚ[s].
+/// One coordinate of P(s) − Q(t), times both weights: a polynomial in t over ℚ[s].
+Bivariate meeting_gap(const RationalCurve& a, const RationalCurve& b, std::size_t coordinate);
+
+/// P(s) = Q(t) of two curves in a plane z = const, as f = g = 0.
 struct MeetingEquations {
   Bivariate f;                    ///< without what both have in common
   Bivariate g;                    ///< likewise
@@ -19,36 +22,55 @@ struct MeetingEquations {
 MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& b,
                                    bool is_one_curve);
 
+/// Is a curve in a plane z = const on a straight line?
+bool is_straight(const RationalCurve& curve);
+
 /// Is a polynomial linear in s and in t?
 bool is_bilinear(const Bivariate& factor);
 /// May such a factor be 0 in the rectangle? If it is bilinear, as where each curve goes through its
 /// points once, it is 0 there if this is true, perhaps in a corner.
 bool may_vanish(const Bivariate& factor, const Interval& s, const Interval& t);
 
+/// A part of a straight curve on which that goes one way, with the places of its ends along it.
+struct LineLeg {
+  RealAlgebraic from;   ///< its parameter where it starts
+  RealAlgebraic to;     ///< and where it ends, greater
+  RealAlgebraic start;  ///< x there, or y of a line along y
+  RealAlgebraic end;    ///< likewise
+};
+
 /// Which parts of curves coincide, whatever their parameters: P(s) = Q(t) all along where one of
 /// both is a fraction a(s)/b(s) of linear polynomials, a bilinear factor of both equations. Lines
-/// that are gone along in any manner without turning back do between their common ends.
+/// are gone along in any manner, also there and back: each two of the legs between the places where
+/// they turn back do between their common ends, or have one point in common.
 class Coincidences {
  public:
   /// Of other curves none where the factors are of higher degree. Cost: a gcd modulo a prime for
   /// each two curves of which one ends in the box of the other, and where that is not 1 the
-  /// equations; of lines up to four polynomials of their degree are factored.
+  /// equations; of legs of lines up to four polynomials of their degree are factored.
   Coincidences(const OffsetBranches& branches, const CurveSeries& series);
 
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
-  /// Are arcs parts of one curve that hang together and go one way, or turn back once and turn one
-  /// way, so that all that they have in common coincides?
+  /// Where legs of lines have one point in common, as joints may be, too.
+  const std::vector<KnownMeeting>& points() const { return points_; }
+  /// Is all known that arcs have in common? So it is of parallel lines, and of parts of one curve
+  /// that hang together and go one way, or turn back once and turn one way.
   bool cover(const CurveNode& a, const CurveNode& b) const;
 
  private:
+  bool is_straight(std::size_t k) const;
   void add(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
-
-  bool add_lines(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
+  void add_lines(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
+  void add_legs(std::size_t first, const LineLeg& a, std::size_t second, const LineLeg& b,
+                const std::vector<RationalCurve>& curves);
+  const std::vector<LineLeg>& legs_of(std::size_t line, const RationalCurve& curve);
   bool turn_back_at_once(const CurveNode& a, const CurveNode& b, const Bivariate& factor) const;
 
   std::vector<SegmentTurning> turning_;  ///< of all curves
   std::vector<CoincidentParts> parts_;
-  std::set<std::pair<std::size_t, std::size_t>> lines_;  ///< that have a part in common
+  std::vector<KnownMeeting> points_;
+  std::map<std::size_t, std::vector<LineLeg>> legs_;
+  std::set<std::pair<std::size_t, std::size_t>> lines_;  ///< that are parallel
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Bivariate>> factors_;
 };
 

@@ -1,3 +1,4 @@
+// Along a line of any degree the nearest point is the foot of the perpendicular, or an end. Else
 // |(x, y) − w·at|² − r² is a polynomial of s over ℚ for a rational point. Its sign on [0, 1] is
 // that of its Bernstein coefficients on short parts; where it has a zero without a change of sign,
 // as at the disc that the boundary belongs to, if that is not taken out, its roots and their orders
@@ -11,9 +12,18 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
+#include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/plane_tangent.hpp"
 
 namespace phrame::inline v0 {
 namespace {
+
+/// Powers of t cancel by up to 3ⁿ there.
+std::vector<RealBall> bernstein_balls(const Polynomial& p, long n, long bits) {
+  const long working = bits + 2 * n;
+  return to_bernstein(BallPolynomial(p, working), n, working);
+}
 
 /// Where a polynomial is negative.
 struct NegativePlace {
@@ -113,11 +123,8 @@ DoubleInterval range_of(const std::vector<RealBall>& p, const std::vector<RealBa
 DoubleInterval range_of(const Polynomial& p, const Polynomial& w) {
   constexpr long bits = 64;
   const long n = std::max({p.degree(), w.degree(), 0L});
-  const auto bernstein = [n](const Polynomial& q, long more) {
-    return to_bernstein(BallPolynomial(q, more), n, more);
-  };
-  if (w == Polynomial{1}) return range_of(bernstein(p, bits));
-  return range_of(bernstein(p, 4 * bits), bernstein(w, 4 * bits));
+  if (w == Polynomial{1}) return range_of(bernstein_balls(p, n, bits));
+  return range_of(bernstein_balls(p, n, 4 * bits), bernstein_balls(w, n, 4 * bits));
 }
 
 /// As many points as are next to each other by a quarter of |d|, within bounds.
@@ -137,14 +144,46 @@ std::vector<DiscTrack> tracks_of(const PhPath& path, const Rational& d) {
   return tracks;
 }
 
+std::optional<DiscLine> line_of(const Curve& curve) {
+  if (!plane_tangent(curve).turn.is_zero() || constant_sign(curve) == 0) return std::nullopt;
+  return DiscLine{curve.start(), end_point(curve) - curve.start()};
+}
+
+/// Where the disc on a line is around the point, if anywhere: by the foot of the perpendicular, or
+/// the end that is nearest, whatever the degree is.
+std::optional<Rational> place_on_line(const DiscTrack& track, const DiscLine& line,
+                                      const Vector<Rational>& at) {
+  const auto is_inside = [&at](const Disc& disc) {
+    const Vector<Rational> gap{disc.center[0] - at[0], disc.center[1] - at[1], 0};
+    return dot(gap, gap) < disc.radius * disc.radius;
+  };
+  const auto share = [&](const Vector<Rational>& to) -> Rational {
+    return (line.way[0] * (to[0] - line.start[0]) + line.way[1] * (to[1] - line.start[1])) /
+           dot(line.way, line.way);
+  };
+  const Rational foot = share(at);
+  const Rational nearest = std::clamp(foot, Rational(0), Rational(1));
+  Disc disc = track.at(nearest);
+  disc.center = line.start + nearest * line.way;
+  if (!is_inside(disc)) return std::nullopt;
+  if (nearest != foot) return nearest;
+  Rational lower = 0;
+  Rational upper = 1;
+  for (;;) {
+    const Rational t = (lower + upper) / 2;
+    disc = track.at(t);
+    if (is_inside(disc)) return t;
+    (share(disc.center) < foot ? lower : upper) = t;
+  }
+}
+
 }  // namespace
 
 std::optional<Rational> negative_place(const Polynomial& p) {
   if (p.is_zero()) return std::nullopt;
   constexpr long bits = 128;
   constexpr int depth = 10;
-  const NegativePlace seen =
-      negative_place(to_bernstein(BallPolynomial(p, bits), p.degree(), bits), 0, 1, depth);
+  const NegativePlace seen = negative_place(bernstein_balls(p, p.degree(), bits), 0, 1, depth);
   if (seen.at || seen.is_decided) return seen.at;
   return negative_between(real_roots(p, open_interval(0, 1)), p);
 }
@@ -154,7 +193,9 @@ Disc DiscTrack::at(const Rational& t) const {
   return {{x(t) / w, y(t) / w, 0}, radius(t) / w};
 }
 
-DiscCover::DiscCover(const PhPath& path, const Rational& d) : DiscCover(tracks_of(path, d)) {}
+DiscCover::DiscCover(const PhPath& path, const Rational& d) : DiscCover(tracks_of(path, d)) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k].line = line_of(path.segments()[k]);
+}
 
 DiscCover::DiscCover(const std::vector<DiscTrack>& tracks) {
   double size = 0;
@@ -228,16 +269,19 @@ std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size
                                            const Polynomial& known) const {
   std::optional<Disc> found;
   any_near(at, [&](std::size_t k) {
-    const DiscTrack& disc = parts_[k].track;
+    const auto& [disc, discs, box, line] = parts_[k];
+    const auto take = [&, &of = disc](const std::optional<Rational>& t) {
+      if (!t) return false;
+      found = of.at(*t);
+      found->center[2] = at[2];
+      return true;
+    };
+    if (line) return take(place_on_line(disc, *line, at));
     const Polynomial x = disc.x - at[0] * disc.weight;
     const Polynomial y = disc.y - at[1] * disc.weight;
     Polynomial gap = x * x + y * y - disc.radius * disc.radius;
     if (k == track) gap = exact_quotient(gap, known);
-    if (const auto t = negative_place(gap)) {
-      found = disc.at(*t);
-      found->center[2] = at[2];
-    }
-    return found.has_value();
+    return take(negative_place(gap));
   });
   return found;
 }

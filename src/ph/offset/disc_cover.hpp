@@ -23,6 +23,12 @@ struct DiscTrack {
   Disc at(const Rational& t) const;  ///< in the plane z = 0
 };
 
+/// The straight way of discs of one radius that do not turn back.
+struct DiscLine {
+  Vector<Rational> start;
+  Vector<Rational> way;  ///< from there to the end, ≠ 0
+};
+
 /// What is inside of discs along tracks: of what is nearer to a path than |d| all have the radius
 /// |d|.
 class DiscCover {
@@ -51,6 +57,7 @@ class DiscCover {
     DiscTrack track;                           ///< of which it is
     std::vector<std::array<double, 3>> discs;  ///< some of them: x, y, a little less than radius²
     PlaneBox box;                              ///< of all centers
+    std::optional<DiscLine> line = {};         ///< where it is one
   };
 
   void add_boxes(std::size_t node, std::size_t first, std::size_t last);

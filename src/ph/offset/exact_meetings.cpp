@@ -74,6 +74,15 @@ bool has_root(const Bivariate& v, const RealAlgebraic& s, const Interval& t) {
 
 }  // namespace
 
+bool passes_through(const RationalCurve& curve, const Interval& t, const RationalCurve& other,
+                    const RealAlgebraic& s) {
+  if (s.is_rational()) return !through(curve, point(other, *s.rational()), t).empty();
+  const QuotientRing field(s.polynomial());
+  const auto roots =
+      common_roots(field, meeting_gap(other, curve, 0), meeting_gap(other, curve, 1));
+  return roots && has_root(*roots, s, t);
+}
+
 /// Two curves, or one with itself.
 class ExactMeetings::Pair {
  public:
@@ -278,7 +287,8 @@ bool is_right_of(const LevelPoint& a, const LevelPoint& b, const PlaneVector& v)
 /// Does each of two branches cross the other one in a common point? The four halves from there on
 /// go up or down along v, without turning. Those that go one way are compared at one level, where
 /// no two meet, as parameters in both intervals have no other point in common. The branches cross
-/// if their halves follow each other in turns around the point.
+/// if their halves follow each other in turns around the point. Both halves of a line that turns
+/// back there are one.
 bool cross_each_other(BranchAt p, BranchAt q) {
   const PlaneVector v = way_along(p, q);
   std::array<std::vector<HalfBranch>, 2> halves;  // up, down
@@ -293,10 +303,12 @@ bool cross_each_other(BranchAt p, BranchAt q) {
              count_real_roots(curve.multiplier(), all) == cusps;
     };
     while (!goes_on()) t = shorter(branch->roots, t);
+    const auto sign_at_end = [&](const Rational& end) { return curve.multiplier()(end).sign(); };
+    if (is_straight(curve) && sign_at_end(*t.lower) != sign_at_end(*t.upper)) return false;
     for (const bool is_upper : {false, true}) {
       const Rational& end = is_upper ? *t.upper : *t.lower;
       const Vector<Rational> at = point(curve, end);
-      const int sign = rate(end).sign() * curve.multiplier()(end).sign();
+      const int sign = rate(end).sign() * sign_at_end(end);
       const int way = is_upper ? sign : -sign;
       halves[way > 0 ? 0 : 1].push_back({branch, is_upper, way, v[0] * at[0] + v[1] * at[1]});
     }

@@ -13,6 +13,11 @@ struct PartMeetings {
   std::vector<KnownMeeting> touching;  ///< where they have one tangent
 };
 
+/// Does a curve go through the point of another one at s, at a t in the interval? Precondition: at
+/// one such t at most, without turning back or touching there. Cost: a gcd in ℚ(s)[t].
+bool passes_through(const RationalCurve& curve, const Interval& t, const RationalCurve& other,
+                    const RealAlgebraic& s);
+
 /// Decides by elimination where short parts meet, whatever is between them: P(s) = Q(t) are two
 /// polynomials in s and t, and all s of common points are the roots of their resultant. Where that
 /// has no root in a part, there is none, however near the curves are. Else each root s with each

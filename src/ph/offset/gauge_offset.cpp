@@ -114,7 +114,7 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
     };
     segments.push_back({std::nullopt, point(curve, 0), e1(0), e1(1),
                         sign_after_zero(curve.multiplier()),
-                        odd_inside(cusps(path.segments()[k])).empty()});
+                        places_of(odd_inside(cusps(path.segments()[k])))});
     if (!parameters[k]) continue;
     segments[k].curve =
         moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);

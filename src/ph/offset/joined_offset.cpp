@@ -18,7 +18,7 @@ class OffsetJoiner {
       if (k > 0) add_joint(k - 1, k);
       if (has_curve_[k])
         made_.pieces.push_back(
-            {*std::move(segments_[k].curve), k, false, segments_[k].keeps_direction});
+            {*std::move(segments_[k].curve), k, false, std::move(segments_[k].turns)});
     }
     if (is_closed)
       add_joint(segments_.size() - 1, 0);
@@ -54,6 +54,12 @@ class OffsetJoiner {
 };
 
 }  // namespace
+
+std::vector<RealAlgebraic> places_of(const std::vector<RealRoot>& roots) {
+  std::vector<RealAlgebraic> places;
+  for (const RealRoot& root : roots) places.push_back(root.at);
+  return places;
+}
 
 RationalCurve with_direction(const RationalCurve& curve, const PlaneDirection& e1) {
   const Vector<Rational> h = evaluate(curve.direction(), 0);

@@ -13,8 +13,11 @@ struct OffsetSegment {
   PlaneDirection at_start;  ///< e₁ there, of any length
   PlaneDirection at_end;    ///< e₁ at its end, likewise
   int sign;  ///< 1 where e₁ is r′/|r′| just after the start, −1 where it is the opposite
-  bool keeps_direction;  ///< as OffsetPiece has it
+  std::vector<RealAlgebraic> turns;  ///< as OffsetPiece has them
 };
+
+/// Where roots are, without their orders.
+std::vector<RealAlgebraic> places_of(const std::vector<RealRoot>& roots);
 
 /// The curve with H along e₁, which it is parallel to at its start.
 RationalCurve with_direction(const RationalCurve& curve, const PlaneDirection& e1);

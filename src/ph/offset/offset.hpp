@@ -26,8 +26,7 @@ struct OffsetPiece {
   RationalCurve curve;   ///< with H along e₁ of the path
   std::size_t segment;   ///< that it is the offset of, or at whose start the corner is
   bool is_join = false;  ///< does it join others at that corner?
-  /// Is e₁ = r′/|r′| all along the segment, or −r′/|r′|? It is not where the path turns back.
-  bool keeps_direction = true;
+  std::vector<RealAlgebraic> turns = {};  ///< where in (0, 1) the path turns back, ascending
 };
 
 /// The offset of a path, with all that it has too much: cusps where the path is curved more than

@@ -74,10 +74,10 @@ std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneDire
   return found;
 }
 
-std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1,
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1, int sign,
                                    const Rational& d) {
   const PlaneDirection n = right_normal(e1);
-  const PlaneDirection ahead = d > 0 ? e1 : PlaneDirection{-e1.x, -e1.y};
+  const PlaneDirection ahead = sign * d > 0 ? e1 : PlaneDirection{-e1.x, -e1.y};
   return {arc(at, n, ahead, d), arc(at, ahead, {-n.x, -n.y}, d)};
 }
 

@@ -29,8 +29,9 @@ std::vector<RationalCurve> corner_join(const PlaneCorner& corner, const Rational
 std::vector<RationalCurve> circle_arcs(const Vector<Rational>& center, PlaneDirection a,
                                        const PlaneDirection& b, const Rational& radius);
 
-/// The half-circle about the end of a path, from at + d·n around it to at − d·n.
-std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1,
+/// The half-circle about the end of a path, from at + d·n around it to at − d·n: ahead of it, which
+/// is along e₁ for a sign > 0 and against it else.
+std::vector<RationalCurve> end_cap(const Vector<Rational>& at, const PlaneDirection& e1, int sign,
                                    const Rational& d);
 
 }  // namespace phrame

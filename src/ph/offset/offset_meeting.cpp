@@ -122,23 +122,25 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
   }
 }
 
-/// Moves what is decided by algebra.
+/// Moves what is decided by algebra, and adds what is known of lines.
 void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
-                     const CurveSeries& series) {
+                     const CurveSeries& series, const std::vector<KnownMeeting>& known) {
   std::vector<PointPair> told;
+  const auto add = [&](const KnownMeeting& x) {
+    const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
+                                    at_start(offset, {x.second_segment, x.second_t}));
+    if (are_same(pair.first, pair.second) || contains(told, pair)) return;
+    told.push_back(pair);
+    result.touching.push_back(
+        {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
+  };
+  for (const KnownMeeting& x : known) add(x);
   ExactMeetings exact(offset, series);
   std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
     const auto meetings = exact.between(place);
     if (!meetings) return false;
     for (const Crossing& x : meetings->crossings) add_once(result.found, x);
-    for (const KnownMeeting& x : meetings->touching) {
-      const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
-                                      at_start(offset, {x.second_segment, x.second_t}));
-      if (contains(told, pair)) continue;
-      told.push_back(pair);
-      result.touching.push_back(
-          {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
-    }
+    for (const KnownMeeting& x : meetings->touching) add(x);
     return true;
   });
 }
@@ -164,6 +166,7 @@ OffsetBranches branches_of(const Offset& offset) {
   for (std::size_t k = 0; k < count; ++k) {
     branches.curves.push_back(offset.pieces[k].curve);
     branches.behind.push_back(offset.meets[k] ? (k + 1) % count : no_segment);
+    branches.turns.push_back(offset.pieces[k].turns);
   }
   return branches;
 }
@@ -172,6 +175,15 @@ OffsetBranches branches_of(const Envelope& envelope) {
   OffsetBranches branches{{}, envelope.behind};
   for (const EnvelopePiece& piece : envelope.pieces) branches.curves.push_back(piece.curve);
   return branches;
+}
+
+CurveSeries plane_series(const OffsetBranches& branches) {
+  CurveSeries series = plane_series(branches.curves, branches.behind);
+  for (std::size_t k = 0; k < branches.turns.size(); ++k) {
+    series.turning[k].parts_at_reversals = true;
+    series.turning[k].breaks = branches.turns[k];
+  }
+  return series;
 }
 
 std::vector<Path> joined_paths(const OffsetBranches& branches) {
@@ -221,7 +233,7 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     result = self_intersections(series, query);
     add_to(result, branches, pairs);
   }
-  decide_touching(result, branches, series);
+  decide_touching(result, branches, series, coincidences.points());
   result.coincident = coincidences.parts();
   remove_common_ends(result, branches);
   return result;
@@ -229,13 +241,9 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
 
 namespace {
 
-/// With the piece that each branch is of, and parameters known to so many bits.
-SelfIntersections self_intersections(const Offset& offset, const OffsetBranches& branches,
-                                     const std::function<std::size_t(std::size_t)>& piece_of,
-                                     long bits) {
-  CurveSeries series = plane_series(branches.curves, branches.behind);
-  for (std::size_t k = 0; k < series.segments; ++k)
-    series.turning[k].parts_at_reversals = offset.pieces[piece_of(k)].keeps_direction;
+/// With parameters known to so many bits.
+SelfIntersections self_intersections(const OffsetBranches& branches, long bits) {
+  const CurveSeries series = plane_series(branches);
   SelfIntersections result = self_intersections(branches, series, {});
   for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
   return result;
@@ -293,13 +301,11 @@ class OfPieces {
 // parameter: where something is undecided it is looked at in parts.
 SelfIntersections self_intersections(const Offset& offset, long bits) {
   const OffsetBranches branches = branches_of(offset);
-  SelfIntersections result = self_intersections(
-      offset, branches, [](std::size_t k) { return k; }, bits);
+  SelfIntersections result = self_intersections(branches, bits);
   if (result.is_complete()) return result;
   const auto [fine, parts] = in_turning_parts(branches);
   if (parts.size() == branches.curves.size()) return result;
-  const auto piece_of = [&parts = parts](std::size_t k) { return parts[k].segment; };
-  SelfIntersections again = self_intersections(offset, fine, piece_of, bits);
+  SelfIntersections again = self_intersections(fine, bits);
   const auto rank = [](const SelfIntersections& x) {
     return std::pair(x.is_cut_off, x.undecided.size());
   };

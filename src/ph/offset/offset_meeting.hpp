@@ -21,7 +21,11 @@ std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rati
 struct OffsetBranches {
   std::vector<RationalCurve> curves;  ///< with H along e₁
   std::vector<std::size_t> behind;    ///< as CurveSeries has it
+  /// Where in (0, 1) what they are offsets of turns back; empty where that is not known.
+  std::vector<std::vector<RealAlgebraic>> turns = {};
 };
+/// With the law of branches at cusps, where it is known where the path turns back.
+CurveSeries plane_series(const OffsetBranches& branches);
 /// @{ Those of one.
 OffsetBranches branches_of(const Offset& offset);
 OffsetBranches branches_of(const Envelope& envelope);

@@ -1,26 +1,27 @@
 // All points at the distance |d| from the path are on its boundary curves: the offsets to both
 // sides, the arcs about corners on their outer sides, and half-circles about the ends of an open
-// path. Along an offset the distance from the path is at most |d|, and where it changes from |d| to
-// less, at a point Q, there are points of the path as near to Q as |d| beside the one that Q
-// belongs to, so that another boundary curve goes through Q; or that one is next to it, and 1 + dκ
-// changes its sign. So between two such places one point tells for all. A part of which one point
-// of the path is seen to be nearer than |d| has no such place. Where 1 + dκ < 0 the distance from
-// the path has no least value at the foot, but is less next to it, and for points next to that,
-// too: such parts are cut, and no other curve is where it meets one.
+// path, and about places where it turns back: of these the offset's points at the distance |d| are
+// known, which is all that is asked. Along an offset the distance from the path is at most |d|, and
+// where it changes from |d| to less, at a point Q, there are points of the path as near to Q as |d|
+// beside the one that Q belongs to, so that another boundary curve goes through Q; or that one is
+// next to it, and 1 + dκ changes its sign. So between two such places one point tells for all. A
+// part of which one point of the path is seen to be nearer than |d| has no such place. Where 1 + dκ
+// < 0 the distance from the path has no least value at the foot, but is less next to it, and for
+// points next to that, too: such parts are cut, and no other curve is where it meets one.
 //
 // With mitres, what is between them and the path counts as nearer, too, and they are boundary
 // curves in place of the arcs.
 #include "phrame/ph/offset/offset_trim.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 
-#include "phrame/algebra/error.hpp"
+#include "phrame/algebra/eliminant.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/coincidence.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
 #include "phrame/ph/offset/mitre_kites.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
@@ -31,16 +32,6 @@
 
 namespace phrame::inline v0 {
 namespace {
-
-void require_no_turning_back(const PhPath& path) {
-  for (std::size_t k = 0; k < path.segments().size(); ++k) {
-    const auto turns = odd_inside(cusps(path.segments()[k]));
-    if (!turns.empty())
-      throw DomainError(
-          fmt::format("trimmed_offset: the path turns back at a cusp, in segment {} at {}", k + 1,
-                      place_text("t", turns.front().at)));
-  }
-}
 
 /// The boundary curves.
 struct Stroke {
@@ -72,12 +63,22 @@ class StrokeMaker {
       add(phrame::offset(path_, -offset_.distance), path_, false);
       return std::move(stroke_);
     }
-    const PhPath back = *reversed(Path(path_)).with_preimages();
+    const Curve& first = segments.front();
     const Curve& last = segments.back();
-    add_cap(end_point(last), direction(plane_tangent(last), 1), {segments.size() - 1, 1, true});
-    add(phrame::offset(back, offset_.distance), back, true);
-    const PlaneDirection start = direction(plane_tangent(segments.front()), 0);
-    add_cap(segments.front().start(), {-start.x, -start.y}, {0, 0, true});
+    const int start_sign = sign_after_zero(first.multiplier());
+    const int end_sign = sign_before_one(last.multiplier());
+    add_cap(end_point(last), direction(plane_tangent(last), 1), end_sign,
+            {segments.size() - 1, 1, true});
+    if (std::ranges::all_of(segments, constant_sign)) {
+      const PhPath back = *reversed(Path(path_)).with_preimages();
+      add(phrame::offset(back, offset_.distance), back, true);
+    } else {  // e₁ of the reversed path may be on either side
+      stroke_.branches.behind.back() = no_segment;
+      add(phrame::offset(path_, -offset_.distance), path_, false);
+      stroke_.branches.behind.back() = no_segment;
+    }
+    const PlaneDirection start = direction(plane_tangent(first), 0);
+    add_cap(first.start(), {-start.x, -start.y}, start_sign, {0, 0, true});
     stroke_.branches.behind.back() = 0;
     return std::move(stroke_);
   }
@@ -89,6 +90,7 @@ class StrokeMaker {
     const OffsetBranches more = branches_of(offset);
     for (std::size_t k = 0; k < more.curves.size(); ++k) {
       stroke_.branches.curves.push_back(more.curves[k]);
+      stroke_.branches.turns.push_back(more.turns[k]);
       const std::size_t behind = more.behind[k];
       stroke_.branches.behind.push_back(behind == no_segment ? no_segment : first + behind);
       const OffsetPiece& piece = offset.pieces[k];
@@ -96,7 +98,7 @@ class StrokeMaker {
       const bool is_arc = piece.is_join && !is_line(piece.curve);
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
-      stroke_.signs.push_back(piece.is_join ? 0 : sign_after_zero(base.multiplier()));
+      stroke_.signs.push_back(piece.is_join ? 0 : constant_sign(base));
       SideFoot& foot = stroke_.feet.emplace_back(SideFoot{piece.segment, {}, is_reversed}).value();
       if (is_reversed) foot.segment = path.segments().size() - 1 - piece.segment;
       if (piece.is_join) foot.point = is_reversed ? 1 : 0;
@@ -106,14 +108,16 @@ class StrokeMaker {
       stroke_.branches.behind.back() = stroke_.branches.curves.size();
   }
 
-  void add_cap(const Vector<Rational>& at, const PlaneDirection& e1, const SideFoot& foot) {
-    for (RationalCurve& curve : end_cap(at, e1, offset_.distance)) {
+  void add_cap(const Vector<Rational>& at, const PlaneDirection& e1, int sign,
+               const SideFoot& foot) {
+    for (RationalCurve& curve : end_cap(at, e1, sign, offset_.distance)) {
       stroke_.branches.curves.push_back(std::move(curve));
+      stroke_.branches.turns.emplace_back();
       stroke_.branches.behind.push_back(stroke_.branches.curves.size());
       stroke_.centers.emplace_back(at);
       stroke_.bases.push_back(constant(at));
       stroke_.signs.push_back(0);
-      stroke_.feet.emplace_back(foot);
+      stroke_.feet.push_back(sign > 0 ? std::optional(foot) : std::nullopt);
     }
   }
 
@@ -121,6 +125,62 @@ class StrokeMaker {
   const Offset& offset_;
   Stroke stroke_;
 };
+
+/// A line is not cut where it is as far as |d| from the line of a turning place: what of the offset
+/// of that ends there does so where both coincide.
+bool is_parallel_at(const RationalCurve& curve, const Curve& of, const Rational& d) {
+  const PlaneTangent tangent = plane_tangent(of);
+  const Vector<Rational> gap = point(curve, 0) - of.start();
+  const PlaneDirection n = right_normal(direction(tangent, 0));
+  const auto across = [&](const Vector<Rational>& v) -> Rational {
+    return n.x * v[0] + n.y * v[1];
+  };
+  return tangent.turn.is_zero() && is_straight(curve) &&
+         across(evaluate(curve.direction(), 0)) == 0 && abs(across(gap)) == abs(d);
+}
+
+/// A polynomial in s that is 0 where (X, Y)/W is at the distance |d| from a point of the path at t;
+/// 0 where that is so everywhere.
+Polynomial at_distance(const RationalCurve& curve, const Curve& of, const RealAlgebraic& t,
+                       const Rational& d) {
+  const auto& [X, Y, Z] = curve.numerator();
+  const Polynomial& W = curve.weight();
+  const auto& [x, y, w] = base_of(of);
+  const std::array<std::pair<Polynomial, Polynomial>, 4> products{
+      std::pair(X * X + Y * Y - d * d * W * W, w * w),
+      {Rational(-2) * X * W, x * w},
+      {Rational(-2) * Y * W, y * w},
+      {W * W, x * x + y * y}};
+  const Polynomial& p = t.polynomial();
+  std::vector<Polynomial> rows(static_cast<std::size_t>(p.degree()));
+  std::vector<Polynomial> minimal;
+  for (const auto& [of_s, of_t] : products) {
+    const Polynomial rest = of_t % p;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k] += rest.coefficient(static_cast<long>(k)) * of_s;
+  }
+  const Bivariate gap(rows);
+  if (gap.degree() <= 0) return gap.coefficient(0);
+  for (const Rational& c : p.coefficients()) minimal.push_back(Polynomial{c});
+  return eliminant(gap, Bivariate(minimal));
+}
+
+/// Where the path turns back, points to all sides ahead of it are at the distance |d| from that
+/// place: where the offset may end on the circle about it.
+std::vector<BoundaryEvent> events_at_turns(const PhPath& path, const Offset& offset) {
+  std::vector<BoundaryEvent> events;
+  for (const Curve& of : path.segments())
+    for (const RealRoot& turn : odd_inside(cusps(of)))
+      for (std::size_t k = 0; k < offset.pieces.size(); ++k) {
+        const RationalCurve& curve = offset.pieces[k].curve;
+        if (is_parallel_at(curve, of, offset.distance)) continue;
+        const Polynomial gap = at_distance(curve, of, turn.at, offset.distance);
+        if (gap.is_zero()) continue;
+        for (const RealRoot& root : real_roots(gap, closed_interval(0, 1)))
+          events.push_back({k, root.at});
+      }
+  return events;
+}
 
 /// Of round or mitred offsets.
 TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin join) {
@@ -135,7 +195,8 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     const Vector<Rational> at = point(of.curve, t);
     return of.is_join ? discs.disc_around(at) : discs.disc_around(at, of.segment, double_zero(t));
   };
-  BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers};
+  BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers,
+                        events_at_turns(path, result.offset)};
   curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
   curves.are_apart = [&](const CurveNode& own, const CurveNode& other) {
@@ -155,6 +216,11 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     return is_nearer_along(stroke.branches.curves[part.segment], *where.lower, *where.upper,
                            stroke.bases[other.segment], (*beside.lower + *beside.upper) / 2, d);
   };
+  if (!std::ranges::all_of(path.segments(), constant_sign))  // then all go along e₁
+    curves.is_backward = [&](std::size_t piece, const Rational& t) {
+      return pieces[piece].curve.multiplier()(t).sign() ==
+             -sign_after_zero(path.segments().front().multiplier());
+    };
   TrimmedCurves left = trimmed(curves, "trimmed_offset");
   result.branches = std::move(left.branches);
   result.undecided = std::move(left.undecided);
@@ -245,7 +311,6 @@ std::vector<TrimmedBranch> without_joins(const TrimmedOffset& trimmed) {
 }
 
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d, OffsetJoin join) {
-  require_no_turning_back(path);
   const OffsetJoin kept = join == OffsetJoin::mitre ? join : OffsetJoin::round;
   Offset whole = phrame::offset(path, d, kept);
   const PathInParts fine = in_turning_parts(path);

@@ -13,12 +13,13 @@ struct TrimmedOffset {
 /// The offset of a path in a plane z = const, joined at corners by arcs or, where that is asked
 /// for, by mitres or left open there, without all points that are nearer to any point of the path
 /// than |d|, or between a mitre and the path. That is cut at crossings of the offset with itself,
-/// with that to the other side and with the half-circles about the ends of an open path, and at
-/// cusps, all of which are found with proof; between these the distance of one rational point is
-/// compared with |d|, exactly. Of branches that coincide both are left where they go opposite ways,
-/// as they are at the distance |d| from both sides, and one where they go the same way. Throws
-/// DomainError as offset(), and for a path that turns back at a cusp; Undecided where so many
-/// branches touch that the search is cut off. Cost: pairs of short arcs whose boxes meet, where no
+/// with that to the other side and with the half-circles about the ends of an open path and about
+/// places where it turns back, and at cusps, all of which are found with proof; between these the
+/// distance of one rational point is compared with |d|, exactly. Of branches that coincide both are
+/// left where their e₁ are opposite, as they are at the distance |d| from both sides, and one where
+/// they are alike. Branches of a path that turns back go along e₁, or all against it, as the path
+/// starts. Throws DomainError as offset(); Undecided where so many branches touch that the search
+/// is cut off. Cost: pairs of short arcs whose boxes meet, where no
 /// point of the path is seen to be nearer.
 TrimmedOffset trimmed_offset(const PhPath& path, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);

@@ -1,8 +1,9 @@
-// With n × e₁ = 1, n′ = φ′e₁ and r × n′ = (r × n)′ + |r′| it is
-//   r_d × r_d′ = r × r′ + d·((r × n)′ + 2|r′|) + d²φ′,
+// With n × e₁ = 1, n′ = φ′e₁, r′ = ±|r′|·e₁ and r × n′ = (r × n)′ ± |r′| it is
+//   r_d × r_d′ = r × r′ + d·((r × n)′ ± 2|r′|) + d²φ′,
 // and d·n = r_d − r, so that of a part the area and the length are
-//   [½∫ r × r′ + ½ r × r_d + d·s + ½d²φ],   [s + d·φ]:
-// functions of the parameter that are rational but for φ. On an arc r is the corner, and s = 0.
+//   [½∫ r × r′ + ½ r × r_d ± d·s + ½d²φ],   [s ± d·φ]:
+// functions of the parameter that are rational but for φ. On an arc r is the corner, and s = 0. The
+// sign is that of r_d′·e₁, too, as 1 + dκ ≥ 0 on what is left.
 #include "phrame/ph/offset/trim_measure.hpp"
 
 #include "phrame/ph/along/segment_integral.hpp"
@@ -62,12 +63,36 @@ struct PartMeasure {
   Real area;
 };
 
+/// The ends of a part, known well enough to tell them apart.
+struct PartEnds {
+  Rational from;
+  Rational to;
+
+  explicit PartEnds(const OffsetPart& part) {
+    long bits = 64;
+    do {
+      from = part.from.enclose(bits).midpoint();
+      to = part.to.enclose(bits).midpoint();
+      bits *= 4;
+    } while (from == to && bits < 10'000);
+  }
+  /// 1 where the parameter grows along it, else −1.
+  int way() const { return from < to ? 1 : -1; }
+  /// The sign of p on it, where that does not change.
+  int sign_of(const Polynomial& p) const {
+    Rational at = (from + to) / 2;
+    while (from != to && p(at) == 0) at = (at + to) / 2;
+    return p(at).sign();
+  }
+};
+
 /// Of a mitre, a straight line with a rational length.
 PartMeasure measure_line(const RationalCurve& line, const OffsetPart& part) {
   const Vector<Rational> start = point(line, 0);
   const Vector<Rational> way = point(line, 1) - start;
   const Real share = part.to + -part.from;
-  return {square_root_of(Rational(way[0] * way[0] + way[1] * way[1])) * share,
+  const Real size = square_root_of(Rational(way[0] * way[0] + way[1] * way[1]));
+  return {Real(Rational(PartEnds(part).way())) * size * share,
           Real(Rational((start[0] * way[1] - start[1] * way[0]) / 2)) * share};
 }
 
@@ -107,8 +132,10 @@ PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetP
   const Real length = grown(s);
   const Real angle = DirectionAngle(piece.curve).between(part.from, part.to);
   const RationalFunction outer(half * (r[0] * y - r[1] * x), w * piece.curve.weight());
-  return {length + Real(d) * angle,
-          grown(inner) + change(outer) + Real(d) * length + Real(half * d * d) * angle};
+  const PartEnds ends(part);
+  const Rational signed_d = ends.sign_of(piece.curve.multiplier()) * d;
+  return {Real(Rational(ends.way())) * (length + Real(signed_d) * angle),
+          grown(inner) + change(outer) + Real(signed_d) * length + Real(half * d * d) * angle};
 }
 
 }  // namespace

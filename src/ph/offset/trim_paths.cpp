@@ -48,6 +48,21 @@ struct CutPart {
   Rational to;
   Vector<Rational> start;
   Vector<Rational> end;
+
+  /// Does the curve turn back at the end t, known to so many places? There it may not be moved by
+  /// more than the square of a unit, or it would do so on the part.
+  bool turns_at(const Rational& t, long places) const {
+    const Rational unit = power_of_ten(-places);
+    const auto sign_at = [&](const Rational& x) { return curve.multiplier()(x).sign(); };
+    return sign_at(t - unit) * sign_at(t + unit) < 0;
+  }
+  /// The end as a fraction, on the part where the curve turns back there.
+  Rational end_at(const Real& t, const Rational& other, long places) const {
+    const Rational near = rounded(t, places);
+    if (t.exact() || !turns_at(near, places)) return near;
+    const Rational unit = power_of_ten(-places);
+    return near + (near < other ? unit : -unit);
+  }
 };
 
 class BranchPath {
@@ -83,7 +98,12 @@ class BranchPath {
       places *= 2;  // it is shorter than that
     const Rational from = rounded(part.from, places);
     const Rational to = rounded(part.to, places);
-    parts_.push_back({curve, from, to, point(curve, from), point(curve, to)});
+    CutPart cut{curve, from, to, {}, {}};
+    cut.from = cut.end_at(part.from, to, places);
+    cut.to = cut.end_at(part.to, from, places);
+    cut.start = point(curve, cut.from);
+    cut.end = point(curve, cut.to);
+    parts_.push_back(std::move(cut));
   }
 
   /// The ends are made to meet.
@@ -97,15 +117,17 @@ class BranchPath {
     long places = parameter_places_;
     while (!is_near() && places < 64 * parameter_places_ && is_known(s) && is_known(t)) {
       places *= 2;
-      before.to = rounded(s, places);
-      after.from = rounded(t, places);
+      before.to = before.end_at(s, before.from, places);
+      after.from = after.end_at(t, after.to, places);
       before.end = point(before.curve, before.to);
       after.start = point(after.curve, after.from);
     }
     if (!is_near()) return;  // and they are apart
-    if (!s.exact() && !t.exact())
+    const bool turns_before = !s.exact() && before.turns_at(before.to, places - 1);
+    const bool turns_after = !t.exact() && after.turns_at(after.from, places - 1);
+    if (!s.exact() && !t.exact() && !turns_before && !turns_after)
       for (std::size_t k = 0; k < 2; ++k) before.end[k] = rounded(before.end[k], places_ + 1);
-    if (t.exact()) before.end = after.start;
+    if (t.exact() || turns_after) before.end = after.start;
     after.start = before.end;
   }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/offset/joined_offset.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
@@ -46,6 +47,16 @@ RationalCurve part_of(const RationalCurve& curve, const Rational& lower, const R
   return with_direction(RationalCurve(numerator, compose(curve.weight(), t)), {x(lower), y(lower)});
 }
 
+/// Those of the places that are in a part, at its ends, too, as parameters of it.
+std::vector<RealAlgebraic> inside(const std::vector<RealAlgebraic>& places,
+                                  const SegmentPart& part) {
+  const Rational scale = 1 / (part.upper - part.lower);
+  std::vector<RealAlgebraic> found;
+  for (const RealAlgebraic& t : places)
+    if (t >= part.lower && t <= part.upper) found.push_back(affine(t, scale, -part.lower * scale));
+  return found;
+}
+
 }  // namespace
 
 std::vector<Rational> turning_cuts(const Polynomial& turn, const Polynomial& sigma) {
@@ -67,7 +78,9 @@ PathInParts in_turning_parts(const PhPath& path) {
     if (std::ranges::binary_search(path.corners(), k)) corners.push_back(curves.size());
     const Curve& curve = path.segments()[k];
     const PlaneTangent tangent = plane_tangent(curve);
-    const std::vector<Rational> cuts = turning_cuts(tangent.turn, tangent.sigma);
+    std::vector<Rational> cuts = turning_cuts(tangent.turn, tangent.sigma);
+    for (std::size_t j = 1; j + 1 < cuts.size(); ++j)  // no path turns back at a joint
+      while (curve.multiplier()(cuts[j]) == 0) cuts[j] += (cuts[j + 1] - cuts[j]) / 8;
     for (std::size_t j = 0; j + 1 < cuts.size(); ++j) {
       curves.push_back(cuts.size() == 2 ? curve : segment(curve, cuts[j], cuts[j + 1]));
       parts.push_back({k, cuts[j], cuts[j + 1]});
@@ -89,6 +102,8 @@ BranchesInParts in_turning_parts(const OffsetBranches& pieces) {
       made.branches.curves.push_back(cuts.size() == 2 ? curve
                                                       : part_of(curve, cuts[j], cuts[j + 1]));
       made.parts.push_back({k, cuts[j], cuts[j + 1]});
+      if (!pieces.turns.empty())
+        made.branches.turns.push_back(inside(pieces.turns[k], made.parts.back()));
     }
   }
   for (std::size_t k = 0; k < made.parts.size(); ++k) {

@@ -64,7 +64,7 @@ class TwoSides::Pair {
   /// Are all from one place of the path up to another one, with r′ to the same side of e₁?
   bool is_ahead(std::size_t first, double from, std::size_t last, double to) const {
     for (std::size_t k = first; k <= last; ++k) {
-      if (sides_.signs_[k] != sides_.signs_[first]) return false;
+      if (sides_.signs_[k] == 0 || sides_.signs_[k] != sides_.signs_[first]) return false;
       const double lower = k == first ? from : 0;
       const double upper = k == last ? to : 1;
       if (lower >= upper) continue;
@@ -95,7 +95,7 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
   for (const Curve& curve : path.segments()) {
     const PlaneTangent tangent = plane_tangent(curve);
     tangents_.push_back({tangent.x, tangent.y, {}});
-    signs_.push_back(sign_after_zero(tangent.speed));
+    signs_.push_back(constant_sign(curve));
     const long degree = std::max(tangent.x.degree(), tangent.y.degree());
     const std::vector<Rational> x = to_bernstein(tangent.x, degree);
     const std::vector<Rational> y = to_bernstein(tangent.y, degree);

@@ -34,7 +34,7 @@ class TwoSides {
   std::vector<std::optional<SideFoot>> feet_;
   std::vector<Vector<Polynomial>> tangents_;     ///< σ·e₁ of each segment
   std::vector<std::vector<PlaneBall>> corners_;  ///< and its Bernstein coefficients
-  std::vector<int> signs_;                       ///< of r′·e₁
+  std::vector<int> signs_;                       ///< of r′·e₁; 0 where that changes
   bool is_closed_;
 };
 

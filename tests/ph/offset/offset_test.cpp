@@ -432,9 +432,9 @@ TEST_CASE("offset: what coincides, and what touches, is told with its place") {
   CHECK(meeting.touching.empty());
   REQUIRE(meeting.coincident.size() == 1);
   CHECK(meeting.coincident[0].first_from == Rational(0));
-  CHECK(meeting.coincident[0].first_to == Rational(1));
+  CHECK(meeting.coincident[0].first_to == Rational(1, 2));
   CHECK(meeting.coincident[0].second_from == Rational(1));
-  CHECK(meeting.coincident[0].second_to == Rational(0));
+  CHECK(meeting.coincident[0].second_to == Rational(1, 2));
   // The offset by -2 ends where it begins, in the opposite direction.
   const Curve curve({from_bernstein({1, -5, 6}), {}, {}, from_bernstein({3, 5, -2})});
   const SelfIntersections ends = self_intersections(offset(PhPath(curve), -2));
@@ -652,6 +652,42 @@ TEST_CASE("offset: lines coincide that are gone along in different manners") {
   CHECK(opposite.coincident[0].first_from == Rational(0));
   CHECK(opposite.coincident[0].second_from.polynomial() == Polynomial{-7, 6, 3});
   CHECK(opposite.coincident[0].second_to.polynomial() == Polynomial{-2, 6, 3});
+}
+
+// x' = 6t^2 - 6t + 1 is 0 at (3 -+ sqrt 3)/6, and x = 0 at 0, 1/2 and 1.
+TEST_CASE("offset: a line that turns back at irrational places coincides with itself leg by leg") {
+  const Curve line({{2}, {}, {}, {1}}, {1, -6, 6});
+  const SelfIntersections meeting = self_intersections(offset(PhPath(line), Rational(1, 3)));
+  CHECK(meeting.is_complete());
+  CHECK(meeting.found.empty());
+  CHECK(meeting.touching.empty());
+  REQUIRE(meeting.coincident.size() == 2);
+  const CoincidentParts& first = meeting.coincident[0];
+  const CoincidentParts& second = meeting.coincident[1];
+  CHECK(first.first_from == Rational(0));
+  CHECK(first.second_from == Rational(1, 2));
+  CHECK(first.first_to == first.second_to);
+  CHECK(first.first_to.polynomial() == Polynomial{1, -6, 6});
+  CHECK(second.first_from == Rational(1, 2));
+  CHECK(second.second_from == Rational(1));
+  CHECK(second.second_to == second.first_to);
+  for (const CoincidentParts& x : meeting.coincident) CHECK(x.is_alike);
+}
+
+// From x = 0 to 1/3, back to 0 and to 1/3 again with x' = 3 - 16t + 16t^2, round a triangle, and
+// from there on: the last line has one point in common with the first one, at t = 1/4 and 1.
+TEST_CASE("offset: a line touches the end of one that turns back there") {
+  PhPath path(Curve({{1}, {}, {}, {}}, {3, -16, 16}));
+  const Rational x(1, 3);
+  const PhPath way =
+      lines({{x, 0, 0}, {x, 1, 0}, {x - Rational(3, 4), 1, 0}, {x, 0, 0}, {1, 0, 0}});
+  for (const Curve& edge : way.segments()) path.append(edge);
+  const SelfIntersections meeting = self_intersections(offset(path, Rational(1, 8)));
+  CHECK(meeting.is_complete());
+  CHECK(meeting.coincident.size() == 3);
+  REQUIRE(meeting.touching.size() == 2);
+  CHECK(meeting.touching[0].first_t == Rational(1, 4));
+  for (const KnownMeeting& place : meeting.touching) CHECK_FALSE(place.crosses);
 }
 
 // The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
