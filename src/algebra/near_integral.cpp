@@ -6,9 +6,9 @@
 #include <complex>
 #include <cstring>
 
-#include "phrame/algebra/gauss_rule.hpp"
 #include "phrame/algebra/near_arithmetic.hpp"
 #include "phrame/algebra/near_elementary.hpp"
+#include "phrame/algebra/near_gauss_rule.hpp"
 #include "phrame/algebra/wide.hpp"
 
 // On a part t = m + hx, and g = N/(D√S) is analytic within the ellipse E with the foci ±1 of x and
@@ -27,7 +27,8 @@ namespace phrame::inline v0 {
 namespace {
 
 constexpr double rho = 1.75;
-constexpr std::size_t points = 64;      ///< of the rule, which leaves out some 2^−103 of M
+constexpr std::size_t points =
+    2 * near_gauss_rule.size();         ///< of the rule, which leaves out some 2^−103 of M
 constexpr double pair_step = 0x1p-101;  ///< a sum after a product, of pairs of doubles
 constexpr double least_accuracy = 0x1p-88;
 constexpr std::size_t most_parts = 64;
@@ -41,14 +42,14 @@ struct NearRule {
   std::array<double, points> weight_low;
 
   NearRule() {
-    const GaussRule rule = gauss_rule(points, 120);
+    constexpr std::size_t half = points / 2;
     for (std::size_t k = 0; k < points; ++k) {
-      const NearNumber point = near_number(rule.points[k]);
-      const NearNumber weight = near_number(rule.weights[k]);
-      high[k] = point.value.high;
-      low[k] = point.value.low;
-      weight_high[k] = weight.value.high;
-      weight_low[k] = weight.value.low;
+      const bool is_right = k >= half;
+      const NearGaussPoint& at = near_gauss_rule[is_right ? k - half : half - 1 - k];
+      high[k] = is_right ? at.high : -at.high;
+      low[k] = is_right ? at.low : -at.low;
+      weight_high[k] = at.weight_high;
+      weight_low[k] = at.weight_low;
     }
   }
   static const NearRule& known() {

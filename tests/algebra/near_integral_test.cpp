@@ -6,6 +6,8 @@
 
 #include "phrame/algebra/ball_log.hpp"
 #include "phrame/algebra/elementary.hpp"
+#include "phrame/algebra/gauss_rule.hpp"
+#include "phrame/algebra/near_gauss_rule.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/integrate/taylor_integral.hpp"
 
@@ -106,4 +108,20 @@ TEST_CASE("near integral: zeros of high order just outside of an ellipse") {
     if (const auto found = near(f)) CHECK(contains(*found, by_series(f)));
   }
   CHECK(near({{1}, pow(Polynomial{1, -1, 1}, 8), {1, 0, 1}}));
+}
+
+TEST_CASE("near integral: the points and weights of the rule, as balls have them") {
+  const std::size_t half = near_gauss_rule.size();
+  const GaussRule rule = gauss_rule(static_cast<long>(2 * half), bits);
+  const auto is_near = [](const RealBall& number, double high, double low) {
+    const RealBall off = subtract(number, exact_sum(high, low), bits);
+    return contains(widened(RealBall(), 0x1p-106), off);
+  };
+  for (std::size_t k = 0; k < half; ++k) {
+    CAPTURE(k);
+    const auto& [high, low, weight_high, weight_low] = near_gauss_rule[k];
+    CHECK(is_near(rule.points[half + k], high, low));
+    CHECK(is_near(rule.points[half - 1 - k], -high, -low));
+    CHECK(is_near(rule.weights[half + k], weight_high, weight_low));
+  }
 }
