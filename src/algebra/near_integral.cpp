@@ -16,7 +16,7 @@
 // [Bernstein 1912]. Gauss's rule of n points is exact for Tₖ, k < 2n, and 0 for odd k; of the
 // others ∫Tₖ is 2/(1 − k²), and the rule has at most Σ weights = 2 for it. So it leaves out
 //   2M·Σ ρ⁻ᵏ·(2 + 2/(k² − 1)), k = 2n, 2n + 2, …,  ≤ 4.02·M·ρ^−2n/(1 − ρ⁻²), n ≥ 8,
-// of ∫ over [−1, 1], half of that of the mean.
+// of ∫ over [−1, 1].
 //
 // M, and that D and S have no zero in E: the border is covered by discs around points zⱼ, in which
 // p is within Σ |p⁽ᵏ⁾(zⱼ)|/k!·rᵏ, k ≥ 1, of p(zⱼ), where that is smaller than |p(zⱼ)|. Where from
@@ -27,8 +27,8 @@ namespace phrame::inline v0 {
 namespace {
 
 constexpr double rho = 1.75;
-constexpr std::size_t points =
-    2 * near_gauss_rule.size();         ///< of the rule, which leaves out some 2^−103 of M
+/// Of the rule, which leaves out some 2^−103 of M.
+constexpr std::size_t points = 2 * near_gauss_rule.size();
 constexpr double pair_step = 0x1p-101;  ///< a sum after a product, of pairs of doubles
 constexpr double least_accuracy = 0x1p-88;
 constexpr std::size_t most_parts = 64;

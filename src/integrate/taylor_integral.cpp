@@ -224,10 +224,6 @@ void require_inside(const Rational& t) {
     throw DomainError(fmt::format("integral: t = {} is outside [0, 1]", as_written(t)));
 }
 
-}  // namespace
-
-namespace {
-
 /// F(1) to about `most_near_bits`, where S has no root that is a polynomial, so that F is none.
 std::optional<RealBall> near_value(const RootQuotient& f) {
   if (f.radicand.is_constant() || f.denominator.is_zero() || !is_squarefree(f.radicand))
