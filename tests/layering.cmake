@@ -23,7 +23,7 @@ set(value_header "^(algebra|answer|io/write)/\
 |^ph/along/frame_angle\\.hpp$\
 |^ph/frame/frame_start\\.hpp$\
 |^ph/proof/(certificate|integral_certificate|statement)\\.hpp$\
-|^ph/sweep/(mesh|rational_surface)\\.hpp$")
+|^ph/sweep/(mesh|mesh_sink|rational_surface)\\.hpp$")
 set(flint_header "^(flint/.+|(acb|arb|arf|mag|fmpr|fmpz|fmpq|bool_mat|dlog|dirichlet|bernoulli\
 |hypgeom|partitions|double_interval)[a-z_]*\\.h)$")
 set(flint_name "_?(arb|acb|arf|mag|fmpr|fmpz|fmpzi|fmpq|nmod|flint)_[a-z][a-z0-9_]*\

@@ -12,6 +12,7 @@
 #include "phrame/algebra/modular.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace phrame::inline v0 {
 namespace {
@@ -146,6 +147,34 @@ bool are_seen_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b) {
 bool is_seen_squarefree(const IntegerPolynomial& a) {
   const ModularPolynomial there(Primes().next(), a);
   return there.degree() == fmpz_poly_degree(a.get()) && are_coprime(there, differentiate(there));
+}
+
+// Of a square of denominators prime to p the root has such, too (Gauss), so that values are
+// squares.
+bool sum_of_squares_is_seen_no_square(const Polynomial& a, const Polynomial& b,
+                                      const Polynomial& c) {
+  constexpr Word prime = 2147483647;
+  constexpr Word places = 8;
+  const std::array<const Polynomial*, 3> all{&a, &b, &c};
+  std::array<ModularPolynomial, 3> numerators{ModularPolynomial(prime), ModularPolynomial(prime),
+                                              ModularPolynomial(prime)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const fmpq_poly_struct* p = all[k]->raw();
+    const Word denominator = fmpz_fdiv_ui(p->den, prime);
+    if (denominator == 0) return false;
+    for (slong j = fmpq_poly_length(p); j-- > 0;)
+      nmod_poly_set_coeff_ui(numerators[k].raw(), j, fmpz_fdiv_ui(p->coeffs + j, prime));
+    if (denominator != 1) numerators[k] /= denominator;
+  }
+  for (Word t = 0; t < places; ++t) {
+    Word sum = 0;  // of three numbers below 2^31
+    for (const ModularPolynomial& p : numerators) {
+      const Word value = evaluate(p, t);
+      sum += value * value % prime;
+    }
+    if (n_jacobi_unsigned(sum % prime, prime) == -1) return true;
+  }
+  return false;
 }
 
 std::vector<FactorShape> shapes_of_factors(const ModularPolynomial& a) {

@@ -78,6 +78,10 @@ bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b);
 bool are_seen_coprime(const IntegerPolynomial& a, const IntegerPolynomial& b);
 bool is_seen_squarefree(const IntegerPolynomial& a);
 /// @}
+/// Is a² + b² + c² seen to be no square in ℚ[t], as its value at some t is none modulo a prime? So
+/// it is where that holds, but for one in 256, and costs far less than the sum.
+bool sum_of_squares_is_seen_no_square(const Polynomial& a, const Polynomial& b,
+                                      const Polynomial& c);
 /// An irreducible factor, but for what it is.
 struct FactorShape {
   long degree;

@@ -6,10 +6,12 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/end_normal.hpp"
+#include "phrame/answer/sweep_stream.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/frame/compiled_frame.hpp"
 #include "phrame/ph/frame/path_frame.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
+#include "phrame/ph/sweep/sweep_stream.hpp"
 #include "phrame/ph/twist/path_twist.hpp"
 
 namespace phrame::inline v0 {
@@ -75,7 +77,10 @@ std::optional<double> normal_tolerance_of(const SweepQuery& query) {
   return angle * (1 - 0x1p-50);
 }
 
-SweepAnswer swept(const SweepPath& path, const SweepQuery& query, std::vector<SweepLeg> legs) {
+/// By sweep_as(path, form), one of the ways of sweep().
+template <class SweepAs>
+SweepAnswer swept(const SweepPath& path, const SweepQuery& query, std::vector<SweepLeg> legs,
+                  SweepAs sweep_as) {
   query.scale.require_along(path.series.segments);
   query.roll.require_along(path.series.segments);
   const auto normal_tolerance = normal_tolerance_of(query);
@@ -90,19 +95,31 @@ SweepAnswer swept(const SweepPath& path, const SweepQuery& query, std::vector<Sw
   if (normal_tolerance && query.profile_within)
     form.profile = query.profile_within(
         exact_rational(*normal_tolerance / (2 * side_angle_factor(path, form))));
-  return {sweep(path, form), path.is_closed, all_turn};
+  return {sweep_as(path, form), path.is_closed, all_turn};
+}
+
+template <class SweepAs>
+SweepAnswer answer_by(const NamedPath& named, const SweepQuery& query, SweepAs sweep_as) {
+  const PathAngle angle = angle_to(query.up, named.path);
+  if (!query.through)
+    return swept(sweep_path(named.path, CompiledFrames(angle, start_angle(query.start, angle))),
+                 query, {}, sweep_as);
+  const PathTwist twist(angle, *query.through);
+  return swept(sweep_path(named.path, CompiledFrames(angle, twist.legs().front().twist.from())),
+               query, legs_of(twist), sweep_as);
 }
 
 }  // namespace
 
 SweepAnswer answer(const NamedPath& named, const SweepQuery& query) {
-  const PathAngle angle = angle_to(query.up, named.path);
-  if (!query.through)
-    return swept(sweep_path(named.path, CompiledFrames(angle, start_angle(query.start, angle))),
-                 query, {});
-  const PathTwist twist(angle, *query.through);
-  return swept(sweep_path(named.path, CompiledFrames(angle, twist.legs().front().twist.from())),
-               query, legs_of(twist));
+  return answer_by(named, query,
+                   [](const SweepPath& path, const SweepForm& form) { return sweep(path, form); });
+}
+
+SweepAnswer answer(const NamedPath& named, const SweepQuery& query, MeshSink& out) {
+  return answer_by(named, query, [&out](const SweepPath& path, const SweepForm& form) {
+    return sweep(path, form, out);
+  });
 }
 
 }  // namespace phrame

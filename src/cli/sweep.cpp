@@ -6,6 +6,7 @@
 
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/answer/rational_sweep.hpp"
+#include "phrame/answer/sweep_stream.hpp"
 #include "phrame/cli/command.hpp"
 #include "phrame/cli/exchange.hpp"
 #include "phrame/cli/step_file.hpp"
@@ -14,6 +15,7 @@
 #include "phrame/io/read/profile.hpp"
 #include "phrame/io/read/profile_curve.hpp"
 #include "phrame/io/write/mesh.hpp"
+#include "phrame/io/write/mesh_writer.hpp"
 #include "phrame/io/write/surface.hpp"
 #include "phrame/ph/sweep/near_pipe.hpp"
 
@@ -124,10 +126,11 @@ SweepQuery query_of(const SweepOptions& options, const Path& path) {
 }
 
 /// A line about the mesh, where standard output is free for it.
-void tell(const SweepAnswer& answer, const std::string& output, bool is_in_place) {
+void tell(const SweepAnswer& answer, const MeshWriter& mesh, const std::string& output,
+          bool is_in_place) {
   const SweptBody& body = answer.body;
-  std::string text = fmt::format("{} points, {} triangles, {} sections", body.mesh.points.size(),
-                                 body.mesh.triangles.size(), body.sections);
+  std::string text = fmt::format("{} points, {} triangles, {} sections", mesh.points(),
+                                 mesh.triangles(), body.sections);
   if (body.error)
     text += ", within " + upper_bound_text(exact_rational(*body.error)) + " of the surface, " +
             (body.normal_error ? "its normals within " +
@@ -253,9 +256,9 @@ void run_exact(const Command& command, const SweepOptions& options) {
 
 void run(const Command& command, const SweepOptions& options) {
   if (options.is_exact) return run_exact(command, options);
-  const auto format = choose<std::string (*)(const Mesh&)>(
+  const auto writer_of = choose<std::unique_ptr<MeshWriter> (*)(MeshWriter::NewSpool)>(
       "--format", options.format,
-      {{"obj", to_obj}, {"stl", to_stl}, {"ply", to_ply}, {"glb", to_glb}});
+      {{"obj", obj_writer}, {"stl", stl_writer}, {"ply", ply_writer}, {"glb", glb_writer}});
   CurveOptions curve = options.curve;
   curve.reading.other_columns = {options.scale_column.value_or(""), options.roll.column_name()};
   const NamedPath named = curve.read_any_path();
@@ -264,10 +267,13 @@ void run(const Command& command, const SweepOptions& options) {
   SweepQuery query = query_of(options, named.path);
   query.up = up;
   if (named.frame && !options.start.given() && !options.end_normal) query.through = named.frame;
-  SweepAnswer made = answer(named, query);
-  made.body.mesh.remark = sweep_remark(query);
-  write_output(options.curve.output, format(made.body.mesh));
-  tell(made, options.curve.output, options.format == "glb");
+  const auto writer = writer_of(Spool::with_file);
+  const SweepAnswer made = answer(named, query, *writer);
+  Output output(options.curve.output);
+  writer->finish(made.body.mesh.origin, sweep_remark(query),
+                 [&output](const std::string& bytes) { output.write(bytes); });
+  output.finish();
+  tell(made, *writer, options.curve.output, options.format == "glb");
 }
 
 }  // namespace

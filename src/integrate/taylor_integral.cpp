@@ -11,6 +11,7 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
+#include "phrame/algebra/near_integral.hpp"
 #include "phrame/algebra/rounding.hpp"
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
@@ -60,6 +61,7 @@ struct SeriesExpansions {
 namespace {
 
 constexpr long greatest_level = 4096;
+constexpr long most_near_bits = 88;  ///< that pairs of doubles are asked for
 
 SeriesPart half_of(const SeriesPart& part, long side) {
   SeriesPart half;
@@ -222,16 +224,31 @@ void require_inside(const Rational& t) {
     throw DomainError(fmt::format("integral: t = {} is outside [0, 1]", as_written(t)));
 }
 
+/// F(1) to about `most_near_bits`, where S has no root that is a polynomial, so that F is none.
+std::optional<RealBall> near_value(const RootQuotient& f) {
+  if (f.radicand.is_constant() || f.denominator.is_zero() || !is_squarefree(f.radicand))
+    return std::nullopt;
+  return near_integral(unit_quotient(f.numerator, f.denominator, f.radicand));
+}
+
 }  // namespace
 
 struct TaylorIntegral::State {
-  RootQuotient f;
-  std::optional<Polynomial> exact;  ///< F, where that is a polynomial over ℚ
-  Refined<SeriesExpansions> known;
+  RootQuotient f;  ///< in lowest terms, where `near` does not tell that S > 0, D ≠ 0
+  std::optional<RealBall> near{};
+  std::optional<Polynomial> exact{};  ///< F, where that is a polynomial over ℚ
+  Lazy<RootQuotient> lowest{};
+  Refined<SeriesExpansions> known{};
 
-  explicit State(const RootQuotient& given)
-      : f(in_lowest_terms(given)), exact(polynomial_integral(f)) {}
+  explicit State(const RootQuotient& given) : f(given), near(near_value(given)) {
+    if (near) return;
+    f = in_lowest_terms(given);
+    exact = polynomial_integral(f);
+  }
 
+  const RootQuotient& in_lowest() const {
+    return near ? lowest.get([this] { return in_lowest_terms(f); }) : f;
+  }
   std::shared_ptr<const SeriesExpansions> to_bits(long bits) const;
 };
 
@@ -244,19 +261,21 @@ std::size_t SeriesExpansions::part_at(const Rational& t) const {
 
 TaylorIntegral::TaylorIntegral(const RootQuotient& f) : state_(std::make_shared<State>(f)) {}
 
-const RootQuotient& TaylorIntegral::integrand() const { return state_->f; }
+const RootQuotient& TaylorIntegral::integrand() const { return state_->in_lowest(); }
 
 /// What is known to at least so many bits.
 std::shared_ptr<const SeriesExpansions> TaylorIntegral::State::to_bits(long bits) const {
   const long enough = (std::max(bits, 32L) + 7) / 8 * 8;
   return known.get(enough, [&](const SeriesExpansions* before) {
-    return expansions(before != nullptr ? before->parts : series_parts(short_parts(f)), enough);
+    return expansions(before != nullptr ? before->parts : series_parts(short_parts(in_lowest())),
+                      enough);
   });
 }
 
 RealBall TaylorIntegral::enclose(const Rational& t, long bits) const {
   require_inside(t);
   if (state_->exact) return RealBall((*state_->exact)(t), bits);
+  if (t == 1 && state_->near && bits <= most_near_bits) return *state_->near;
   const auto known = state_->to_bits(bits);
   if (t == 1) return add(known->of.back().before, known->of.back().whole, bits + 32);
   const std::size_t k = known->part_at(t);

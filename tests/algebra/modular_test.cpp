@@ -196,3 +196,29 @@ TEST_CASE("modular: a common factor is never taken for none, not even one that i
     CHECK(is_seen_squarefree(integer_numerator(a)) == (resultant(a, differentiate(a)) != 0));
   });
 }
+
+// (u² + v² − p² − q²)² + (2uq + 2vp)² + (2vq − 2up)² = (u² + v² + p² + q²)² [Euler].
+TEST_CASE("modular: a square is never taken for none") {
+  int seen = 0;
+  for_samples(200, [&](Random& random) {
+    const Polynomial u = random.polynomial(3);
+    const Polynomial v = random.polynomial(3);
+    const Polynomial p = random.polynomial(3);
+    const Polynomial q = random.polynomial(3);
+    const Rational two(2);
+    const Polynomial a = u * u + v * v - p * p - q * q;
+    const Polynomial b = two * (u * q + v * p);
+    const Polynomial c = two * (v * q - u * p);
+    CHECK_FALSE(sum_of_squares_is_seen_no_square(a, b, c));
+    CHECK_FALSE(sum_of_squares_is_seen_no_square(u, {}, {}));
+    const bool is_seen = sum_of_squares_is_seen_no_square(u, v, p);
+    if (is_seen) {
+      CHECK_FALSE(square_root(u * u + v * v + p * p));
+      ++seen;
+    }
+  });
+  CHECK(seen > 50);
+  // A denominator that is the prime, of which nothing is told.
+  const Rational tiny(1, 2147483647);
+  CHECK_FALSE(sum_of_squares_is_seen_no_square(Polynomial{3 * tiny}, Polynomial{4 * tiny}, {}));
+}

@@ -3,26 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string_view>
-#include <utility>
 
 namespace phrame::inline v0 {
-namespace {
-
-void append_chunk(std::string& bytes, std::string_view kind, std::string content, char filler) {
-  content.resize((content.size() + 3) / 4 * 4, filler);
-  append_number(bytes, static_cast<std::uint32_t>(content.size()));
-  bytes += kind;
-  bytes += content;
-}
-
-}  // namespace
-
-void append_float(std::string& bytes, float x) {
-  append_number(bytes, std::bit_cast<std::uint32_t>(x));
-}
 
 std::string base64(const std::string& bytes) {
   constexpr std::string_view digits =
@@ -44,14 +28,15 @@ std::string translation_json(const Vector<double>& to) {
   return fmt::format(",\"translation\":[{},{},{}]", to[0], to[1], to[2]);
 }
 
-std::string glb_file(std::string json, std::string buffer) {
-  std::string chunks;
-  append_chunk(chunks, "JSON", std::move(json), ' ');
-  append_chunk(chunks, std::string_view("BIN\0", 4), std::move(buffer), '\0');
+std::string glb_head(std::string json, std::uint64_t buffer_size) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string bytes = "glTF";
   append_number(bytes, std::uint32_t{2});
-  append_number(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
-  return bytes + chunks;
+  append_number(bytes, static_cast<std::uint32_t>(28 + json.size() + buffer_size));
+  append_number(bytes, static_cast<std::uint32_t>(json.size()));
+  bytes += "JSON" + json;
+  append_number(bytes, static_cast<std::uint32_t>(buffer_size));
+  return bytes + std::string("BIN\0", 4);
 }
 
 }  // namespace phrame

@@ -85,7 +85,8 @@ scene.camera = camera
 }  // namespace
 
 std::string to_glb(const CameraPath& path) {
-  return glb_file(camera_json(path, ""), camera_buffer(path));
+  const std::string buffer = camera_buffer(path);
+  return glb_head(camera_json(path, ""), buffer.size()) + buffer;
 }
 
 std::string to_gltf(const CameraPath& path) {

@@ -27,6 +27,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/gaussian_integer.hpp"
+#include "phrame/algebra/modular.hpp"
 #include "phrame/algebra/surd.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
@@ -100,7 +101,9 @@ std::string to_string(const NotPythagorean& reason) {
 }
 
 bool is_pythagorean(const Vector<Polynomial>& direction) {
-  return square_root(dot(direction, direction)).has_value();
+  const auto& [x, y, z] = direction;
+  return !sum_of_squares_is_seen_no_square(x, y, z) &&
+         square_root(dot(direction, direction)).has_value();
 }
 
 std::variant<Curve, NotPythagorean> identify(const Vector<Polynomial>& hodograph,

@@ -2,49 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/sweep/mesh_sides.hpp"
 
 namespace phrame::inline v0 {
 
 namespace {
-
-/// The sides that start at each point, by where they end.
-class MeshSides {
- public:
-  explicit MeshSides(const Mesh& mesh)
-      : first_(mesh.points.size() + 1), ends_(3 * mesh.triangles.size()) {
-    for (const auto& triangle : mesh.triangles)
-      for (const std::uint32_t from : triangle) ++first_[from + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const auto& triangle : mesh.triangles)
-      for (std::size_t k = 0; k < 3; ++k) ends_[next[triangle[k]]++] = triangle[(k + 1) % 3];
-    for (std::size_t from = 0; from < points(); ++from) std::sort(begin(from), end(from));
-  }
-
-  std::size_t points() const { return first_.size() - 1; }
-  /// Is each there once, with its opposite, which is another?
-  bool are_paired() {
-    for (std::size_t from = 0; from < points(); ++from) {
-      if (std::adjacent_find(begin(from), end(from)) != end(from)) return false;
-      for (auto to = begin(from); to != end(from); ++to)
-        if (*to == from || !std::binary_search(begin(*to), end(*to), from)) return false;
-    }
-    return true;
-  }
-
- private:
-  using Ends = std::vector<std::uint32_t>;
-  Ends::iterator at(std::size_t k) { return ends_.begin() + static_cast<std::ptrdiff_t>(k); }
-  Ends::iterator begin(std::size_t from) { return at(first_[from]); }
-  Ends::iterator end(std::size_t from) { return at(first_[from + 1]); }
-
-  std::vector<std::size_t> first_;
-  Ends ends_;
-};
 
 /// Is a component of (b − a) × (c − a) surely not 0? The differences, products and their difference
 /// are each off by 2^−53 of themselves, or by 2^−1074.
@@ -60,6 +25,8 @@ bool has_area_in_doubles(const Vector<double>& a, const Vector<double>& b,
   return false;
 }
 
+}  // namespace
+
 bool has_area(const Vector<double>& a, const Vector<double>& b, const Vector<double>& c) {
   if (has_area_in_doubles(a, b, c)) return true;
   const auto exact = [](const Vector<double>& p) {
@@ -68,9 +35,33 @@ bool has_area(const Vector<double>& a, const Vector<double>& b, const Vector<dou
   return cross(exact(b) - exact(a), exact(c) - exact(a)) != Vector<Rational>{};
 }
 
-}  // namespace
+MeshSides::MeshSides(std::size_t points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                     std::span<const Side> others)
+    : first_(points + 1), ends_(3 * triangles.size() + others.size()) {
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t from : triangle) ++first_[from + 1];
+  for (const auto& [from, to] : others) ++first_[from + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& triangle : triangles)
+    for (std::size_t k = 0; k < 3; ++k) ends_[next[triangle[k]]++] = triangle[(k + 1) % 3];
+  for (const auto& [from, to] : others) ends_[next[from]++] = to;
+  const auto at = [&](std::size_t k) { return ends_.begin() + static_cast<std::ptrdiff_t>(k); };
+  for (std::size_t from = 0; from < points; ++from)
+    std::sort(at(first_[from]), at(first_[from + 1]));
+}
 
-bool is_watertight(const Mesh& mesh) { return MeshSides(mesh).are_paired(); }
+bool MeshSides::has(std::uint32_t from, std::uint32_t to) const {
+  return std::binary_search(begin(from), end(from), to);
+}
+
+bool MeshSides::has_twice(std::uint32_t from) const {
+  return std::adjacent_find(begin(from), end(from)) != end(from);
+}
+
+bool is_watertight(const Mesh& mesh) {
+  return MeshSides(mesh.points.size(), mesh.triangles).are_paired();
+}
 
 std::optional<std::size_t> first_flat_triangle(const Mesh& mesh) {
   for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {

@@ -68,10 +68,13 @@ Vector<Rational> node_origin(const Mesh& mesh) {
   return {exact_rational(origin[0]), exact_rational(origin[1]), exact_rational(origin[2])};
 }
 
+double greatest_coordinate(Coordinates numbers) {
+  return numbers == Coordinates::floats ? static_cast<double>(std::numeric_limits<float>::max())
+                                        : std::numeric_limits<double>::max();
+}
+
 void require_apart(const Mesh& mesh, Coordinates numbers) {
-  const double most = numbers == Coordinates::floats
-                          ? static_cast<double>(std::numeric_limits<float>::max())
-                          : std::numeric_limits<double>::max();
+  const double most = greatest_coordinate(numbers);
   for (const Vector<double>& point : mesh.points)
     for (const double x : point)
       if (!(std::abs(x) < most))

@@ -15,6 +15,8 @@ MeshInFloats in_floats(const Mesh& mesh, const Vector<Rational>& origin);
 /// near the body.
 Vector<Rational> node_origin(const Mesh& mesh);
 
+/// Of such numbers.
+double greatest_coordinate(Coordinates numbers);
 /// For a watertight mesh as one that a file has numbers of. Throws Undecided, which names the way
 /// out, where two points are the same in such numbers, or a triangle has no area, or a coordinate
 /// is none of them: all of that is decided exactly.

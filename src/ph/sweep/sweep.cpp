@@ -12,16 +12,22 @@
 #include "phrame/ph/curve/direction_span.hpp"
 #include "phrame/ph/curve/local_origin.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/sweep/profile_triangles.hpp"
+#include "phrame/ph/sweep/body_mesh.hpp"
+#include "phrame/ph/sweep/mesh_sieve.hpp"
 #include "phrame/ph/sweep/sweep_rates.hpp"
 #include "phrame/ph/sweep/sweep_section.hpp"
+#include "phrame/ph/sweep/sweep_stream.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
-/// The sections from start to end, and bounds of how far the triangles between them are off.
-struct SectionList {
-  std::vector<SweepSection> sections;
+/// The sections from start to end, as they are found, and bounds of how far the triangles between
+/// them are off.
+struct SectionRun {
+  BodyMesh& mesh;           ///< that they make
+  SweepSection first = {};  ///< of them
+  SweepSection last = {};   ///< so far
+  std::size_t count = 0;
   double joint_error = 0;  ///< where a mitre stands for the sections on both its sides
   double patch_error = 0;
   double normal_error = 0;
@@ -29,7 +35,9 @@ struct SectionList {
 
   void add(SweepSection next) {
     rounding = std::max(rounding, next.rounding);
-    sections.push_back(std::move(next));
+    mesh.add(next);
+    if (count++ == 0) first = next;
+    last = std::move(next);
   }
 };
 
@@ -53,10 +61,10 @@ class Tessellation {
   void require_no_facets() const;
   /// Sections so close that the triangles between them are within `tolerance` of their patches, and
   /// their normals within the tolerance of normals.
-  SectionList sections(const std::vector<SweepPart>& parts, double tolerance) const;
+  void sections(SectionRun& found, const std::vector<SweepPart>& parts, double tolerance) const;
   /// So many equally spaced sections, one more for a closed path; beside them those of corners, and
   /// none inside a line between two mitres.
-  SectionList equal_sections(long wanted) const;
+  void equal_sections(SectionRun& found, long wanted) const;
 
  private:
   static int direction_of_motion(const SweepPath& path);
@@ -70,8 +78,10 @@ class Tessellation {
   bool has_section_behind(std::size_t corner) const;
   SweepSection start() const;
   SweepSection end_of(const SweepPart& part, const SweepSection& first) const;
-  void add_behind(SectionList& found, std::size_t segment) const;
-  void add_corner(SectionList& found, std::size_t segment) const;
+  void add_behind(SectionRun& found, std::size_t segment) const;
+  void add_corner(SectionRun& found, std::size_t segment) const;
+  /// Throws Undecided for too many sections.
+  void require_few(std::size_t count) const;
   /// Are two sections no farther from each other than some units in the last place?
   static bool is_rounded_away(const SweepSection& a, const SweepSection& b);
 
@@ -150,10 +160,11 @@ SweepParts Tessellation::parts(double tolerance) const {
 }
 
 /// Adds the section behind the mitre at the start of a segment, where there is one.
-void Tessellation::add_behind(SectionList& found, std::size_t segment) const {
+void Tessellation::add_behind(SectionRun& found, std::size_t segment) const {
   if (!has_section_behind(segment)) return;
-  found.add(sections_.section(segment, 0));
-  found.sections.back().is_joint = true;
+  SweepSection section = sections_.section(segment, 0);
+  section.is_joint = true;
+  found.add(std::move(section));
 }
 
 SweepSection Tessellation::start() const {
@@ -210,8 +221,14 @@ bool Tessellation::is_rounded_away(const SweepSection& a, const SweepSection& b)
   return true;
 }
 
-SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double tolerance) const {
-  SectionList found;
+void Tessellation::require_few(std::size_t count) const {
+  if (count * sections_.corners().size() > most_sweep_points)
+    throw Undecided("sweep: more than 20000000 points are needed");
+}
+
+void Tessellation::sections(SectionRun& found, const std::vector<SweepPart>& parts,
+                            double tolerance) const {
+  require_few(parts.size());
   found.joint_error = joint_error_;
   found.add(start());
   if (has_corner(0)) add_behind(found, 0);
@@ -220,8 +237,8 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
   std::size_t whole = parts.size();  // of the given parts those that are left
   while (!left.empty()) {
     const SweepPart part = left.back();
-    SweepSection next = end_of(part, found.sections.front());
-    const SweepSection& last = found.sections.back();
+    SweepSection next = end_of(part, found.first);
+    const SweepSection& last = found.last;
     const double error = patch_error(sections_, last, next);
     const double of_normals = form_.normal_tolerance ? normal_error(part, last, next) : 0;
     const bool is_within = !(of_normals > form_.normal_tolerance.value_or(0));
@@ -252,17 +269,15 @@ SectionList Tessellation::sections(const std::vector<SweepPart>& parts, double t
     }
     found.add(std::move(next));
     if (part.to == 1) add_corner(found, part.segment + 1);
-    if (found.sections.size() * sections_.corners().size() > most_sweep_points)
-      throw Undecided("sweep: more than 20000000 points are needed");
+    require_few(found.count);
   }
-  return found;
 }
 
 /// Adds what is left of a corner, the section where the segment before it ends being there.
-void Tessellation::add_corner(SectionList& found, std::size_t segment) const {
+void Tessellation::add_corner(SectionRun& found, std::size_t segment) const {
   if (!has_corner(segment)) return;
   if (has_section_before(segment)) {
-    SweepSection mitre = segment < count() ? sections_.mitre(segment) : found.sections.front();
+    SweepSection mitre = segment < count() ? sections_.mitre(segment) : found.first;
     const auto offsets = sections_.mitre_offsets(segment % count());
     const double rounding = 8 * mitre.rounding;
     mitre.folds = std::count_if(offsets.begin(), offsets.end(),
@@ -273,14 +288,13 @@ void Tessellation::add_corner(SectionList& found, std::size_t segment) const {
   if (segment < count()) add_behind(found, segment);
 }
 
-SectionList Tessellation::equal_sections(long wanted) const {
+void Tessellation::equal_sections(SectionRun& found, long wanted) const {
   const auto segments = static_cast<long>(path_.series.segments);
   const long least = path_.is_closed ? 3 : 2;
   if (wanted < least)
     throw DomainError(fmt::format("sweep: {} sections of {} path bound no body, at least {} do",
                                   wanted, path_.is_closed ? "a closed" : "an open", least));
   const long steps = path_.is_closed ? wanted : wanted - 1;
-  SectionList found;
   found.joint_error = joint_error_;
   Stage stage("sections", static_cast<std::size_t>(steps) + 1);
   std::size_t segment = 0;  // up to its start all is there
@@ -290,7 +304,7 @@ SectionList Tessellation::equal_sections(long wanted) const {
     while (segment < last) {
       const SweepPart end{segment++, 0, 1};
       if (!has_corner(segment)) continue;
-      found.add(end_of(end, found.sections.front()));
+      found.add(end_of(end, found.first));
       add_corner(found, segment);
     }
   };
@@ -299,72 +313,9 @@ SectionList Tessellation::equal_sections(long wanted) const {
     add_corners_up_to(at.segment);
     const bool is_there = (at.t == 0 && has_corner(at.segment)) || is_between_mitres(at.segment);
     if (k == steps || !is_there)
-      found.add(end_of({at.segment, 0, round_to_double(at.t)}, found.sections.front()));
+      found.add(end_of({at.segment, 0, round_to_double(at.t)}, found.first));
   }
   if (path_.is_closed) add_corner(found, count());
-  return found;
-}
-
-/// Adds the points of the rings to the mesh, and returns their numbers, ring by ring. At a corner
-/// the rings share the points that lie on the axis of the turn.
-std::vector<std::uint32_t> ring_points(const std::vector<SweepSection>& sections, std::size_t rings,
-                                       Mesh& mesh) {
-  const std::size_t corners = sections.front().points.size();
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(rings * corners);
-  const auto is_same = [&](const SweepSection& a, const SweepSection& b, std::size_t k) {
-    const Vector<double> way = b.points[k] - a.points[k];
-    return std::hypot(way[0], way[1], way[2]) <= 8 * (a.rounding + b.rounding);
-  };
-  const bool is_joint_at_end = rings < sections.size() && sections.back().is_joint;
-  for (std::size_t ring = 0; ring < rings; ++ring)
-    for (std::size_t k = 0; k < corners; ++k) {
-      if (ring > 0 && sections[ring].is_joint && is_same(sections[ring - 1], sections[ring], k)) {
-        numbers.push_back(numbers[numbers.size() - corners]);
-      } else if (ring > 0 && ring + 1 == rings && is_joint_at_end &&
-                 is_same(sections[ring], sections.front(), k)) {
-        numbers.push_back(numbers[k]);
-      } else {
-        numbers.push_back(static_cast<std::uint32_t>(mesh.points.size()));
-        mesh.points.push_back(sections[ring].points[k]);
-      }
-    }
-  return numbers;
-}
-
-/// The mesh through these sections. The last section of a closed path is the first one again.
-Mesh mesh_of(const std::vector<SweepSection>& sections, const Profile& profile, bool is_closed) {
-  const std::size_t corners = profile.corners().size();
-  const std::size_t rings = sections.size() - (is_closed ? 1 : 0);
-  Mesh mesh;
-  mesh.points.reserve(rings * corners);
-  const std::vector<std::uint32_t> numbers = ring_points(sections, rings, mesh);
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) mesh.triangles.push_back({a, b, c});
-  };
-  for (std::size_t ring = 0; ring + (is_closed ? 0 : 1) < rings; ++ring) {
-    const std::uint32_t* here = &numbers[ring * corners];
-    const std::uint32_t* there = &numbers[(ring + 1) % rings * corners];
-    for (std::size_t k = 0; k < corners; ++k) {
-      const std::size_t next = profile.next(k);
-      add(here[k], here[next], there[next]);
-      add(here[k], there[next], there[k]);
-    }
-  }
-  if (is_closed) return mesh;
-  const std::uint32_t* last = &numbers[(rings - 1) * corners];
-  for (const auto& [i, j, k] : triangulated(profile)) {
-    add(numbers[i], numbers[k], numbers[j]);  // seen from behind
-    add(last[i], last[j], last[k]);
-  }
-  return mesh;
-}
-
-/// How many folds the first `count` sections have.
-long folds_of(const std::vector<SweepSection>& sections, std::size_t count) {
-  long folds = 0;
-  for (std::size_t n = 0; n < count; ++n) folds += sections[n].folds;
-  return folds;
 }
 
 /// Some points of all segments, in doubles.
@@ -397,8 +348,8 @@ double beside_rounding(double tolerance, const SweepPath& path, const SweepForm&
 }
 
 /// The sections of a mesh within the tolerance; sets the bounds of the body, but for rounding.
-SectionList within(Tessellation& tessellation, const SweepPath& path, const SweepForm& form,
-                   double scale, SweptBody& body) {
+void make_within(SectionRun& found, Tessellation& tessellation, const SweepPath& path,
+                 const SweepForm& form, double scale, SweptBody& body) {
   const double all = round_to_double(std::get<Rational>(form.tolerance_or_sections)) / sweep_slack;
   const double of_profile = round_to_double(form.profile.error()) * scale * sweep_slack;
   if (!(of_profile <= all / 2))
@@ -411,10 +362,9 @@ SectionList within(Tessellation& tessellation, const SweepPath& path, const Swee
   tessellation.join_corners(left * 0.04);
   if (form.normal_tolerance) tessellation.require_no_facets();
   const SweepParts parts = tessellation.parts(left * 0.6);
-  SectionList found = tessellation.sections(parts.parts, left * 0.35);
+  tessellation.sections(found, parts.parts, left * 0.35);
   body.error = of_profile + parts.error + found.patch_error + found.joint_error;
   if (form.normal_tolerance) body.normal_error = found.normal_error;
-  return found;
 }
 
 /// Calls visit(motion) at 65 equally spaced t of each segment.
@@ -482,7 +432,22 @@ SweepPath sweep_path(const Path& path, CompiledFrames frames) {
   return swept;
 }
 
-SweptBody sweep(const SweepPath& path, const SweepForm& form) {
+namespace {
+
+/// A whole one.
+class WholeMesh : public MeshSink {
+ public:
+  void add_point(const Vector<double>& point) override { mesh.points.push_back(point); }
+  void add_triangle(const Triangle& triangle, const Corners& /*corners*/) override {
+    mesh.triangles.push_back(triangle);
+  }
+
+  Mesh mesh = {};
+};
+
+/// The points and triangles go to `out`; check() is asked when all are there.
+template <class Check>
+SweptBody swept(const SweepPath& path, const SweepForm& form, MeshSink& out, Check check) {
   const double scale = form.scale.greatest(path.series.segments);
   const SweepTurn turn(path, form);
   SweepForm swept = form;
@@ -493,22 +458,20 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
   swept.profile = profile_for_normals(path, swept, turn);
   Tessellation tessellation(path, swept, turn);
   SweptBody body;
-  SectionList found;
+  BodyMesh mesh(swept.profile, path.is_closed, tessellation.is_against(), out);
+  SectionRun found{mesh};
   if (const auto* count = std::get_if<long>(&form.tolerance_or_sections)) {
     tessellation.parts(HUGE_VAL);  // throws where the path turns back
     tessellation.join_corners(1e-6 * swept.profile.reach() * scale);
-    found = tessellation.equal_sections(*count);
+    tessellation.equal_sections(found, *count);
   } else {
-    found = within(tessellation, path, swept, scale, body);
+    make_within(found, tessellation, path, swept, scale, body);
   }
-  body.mesh = mesh_of(found.sections, swept.profile, path.is_closed);
+  mesh.finish();
   body.mesh.origin = *swept.origin;
-  if (tessellation.is_against())
-    for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
-  body.sections = found.sections.size() - (path.is_closed ? 1 : 0);
-  body.folds = folds_of(found.sections, body.sections);
-  if (!is_watertight(body.mesh)) throw Error("sweep: the check failed, the mesh is not watertight");
-  require_apart(body.mesh, form.numbers);
+  body.sections = mesh.sections();
+  body.folds = mesh.folds();
+  check();
   // The frames are within 2^−53, the turn within 2^−44.
   if (body.error) {
     const double reach = swept.profile.reach() * scale;
@@ -517,6 +480,27 @@ SweptBody sweep(const SweepPath& path, const SweepForm& form) {
     require_within(*body.error, form);
   }
   return body;
+}
+
+}  // namespace
+
+SweptBody sweep(const SweepPath& path, const SweepForm& form) {
+  WholeMesh whole;
+  SweptBody body = swept(path, form, whole, [&] {
+    if (!is_watertight(whole.mesh))
+      throw Error("sweep: the check failed, the mesh is not watertight");
+    require_apart(whole.mesh, form.numbers);
+  });
+  whole.mesh.origin = body.mesh.origin;
+  body.mesh = std::move(whole.mesh);
+  return body;
+}
+
+SweptBody sweep(const SweepPath& path, const SweepForm& form, MeshSink& out) {
+  MeshSieve sieve(form.numbers, out);
+  return swept(path, form, sieve, [&] {
+    if (!sieve.is_proved()) sweep(path, form);
+  });
 }
 
 }  // namespace phrame

@@ -4,6 +4,11 @@
 #include <sstream>
 
 #include "io/reference.hpp"
+#include "phrame/algebra/error.hpp"
+#include "phrame/answer/sweep_stream.hpp"
+#include "phrame/io/write/mesh_writer.hpp"
+#include "support/curves.hpp"
+#include "support/paths.hpp"
 
 using namespace phrame;
 
@@ -87,4 +92,52 @@ TEST_CASE("mesh files: GLB has a JSON chunk that fits its binary chunk") {
   CHECK(json["accessors"][1]["count"] == 12);
   CHECK(at<float>(bytes, data + 12) == 0.1F);
   CHECK(at<std::uint32_t>(bytes, data + 48 + 16) == 3);
+}
+
+namespace {
+
+/// Two quarters of circles that meet at a corner.
+Path angular() {
+  return joined({bezier_curve({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}}, {1, 1, 2}),
+                 bezier_curve({{2, 2, 0}, {4, 2, 0}, {4, 4, 0}}, {1, 1, 2})});
+}
+
+std::string streamed(const NamedPath& path, const SweepQuery& query,
+                     std::unique_ptr<MeshWriter> (*writer_of)(MeshWriter::NewSpool)) {
+  const auto writer = writer_of(Spool::with_file);
+  const SweepAnswer found = answer(path, query, *writer);
+  CHECK(found.body.mesh.points.empty());
+  std::string bytes;
+  writer->finish(found.body.mesh.origin, "a remark",
+                 [&](const std::string& part) { bytes += part; });
+  return bytes;
+}
+
+}  // namespace
+
+// Of megabytes, which are in temporary files.
+TEST_CASE("mesh files: what is written while the mesh is made is what is written of a whole one") {
+  for (const NamedPath& path :
+       {NamedPath{"", PhPath(Curve({{1, 2}, {0, 1}, {3}, {1, -1}}))},
+        NamedPath{"", PhPath(test::chain(test::quarters()))}, NamedPath{"", angular()}}) {
+    SweepQuery query{circle_profile(Rational(1, 100), Rational(1, 10000))};
+    query.tolerance_or_sections = 3000L;
+    query.numbers = Coordinates::floats;
+    SweepAnswer whole = answer(path, query);
+    whole.body.mesh.remark = "a remark";
+    CHECK(streamed(path, query, obj_writer) == to_obj(whole.body.mesh));
+    CHECK(streamed(path, query, ply_writer) == to_ply(whole.body.mesh));
+    CHECK(streamed(path, query, stl_writer) == to_stl(whole.body.mesh));
+    CHECK(streamed(path, query, glb_writer) == to_glb(whole.body.mesh));
+  }
+}
+
+TEST_CASE("mesh files: what is no body is refused while it is made, as a whole one is") {
+  const NamedPath path{"", PhPath(Curve({{1}, {}, {}, {}}))};
+  SweepQuery query{rectangle_profile(1, 1)};
+  query.tolerance_or_sections = 100000L;
+  query.numbers = Coordinates::floats;
+  query.origin = {-1000000, 0, 0};
+  CHECK_THROWS_AS(answer(path, query), Undecided);
+  CHECK_THROWS_AS(streamed(path, query, glb_writer), Undecided);
 }
