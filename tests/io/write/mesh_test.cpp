@@ -121,7 +121,7 @@ TEST_CASE("mesh files: what is written while the mesh is made is what is written
        {NamedPath{"", PhPath(Curve({{1, 2}, {0, 1}, {3}, {1, -1}}))},
         NamedPath{"", PhPath(test::chain(test::quarters()))}, NamedPath{"", angular()}}) {
     SweepQuery query{circle_profile(Rational(1, 100), Rational(1, 10000))};
-    query.tolerance_or_sections = 3000L;
+    query.tolerance_or_sections = 900L;
     query.numbers = Coordinates::floats;
     SweepAnswer whole = answer(path, query);
     whole.body.mesh.remark = "a remark";
@@ -135,7 +135,7 @@ TEST_CASE("mesh files: what is written while the mesh is made is what is written
 TEST_CASE("mesh files: what is no body is refused while it is made, as a whole one is") {
   const NamedPath path{"", PhPath(Curve({{1}, {}, {}, {}}))};
   SweepQuery query{rectangle_profile(1, 1)};
-  query.tolerance_or_sections = 100000L;
+  query.tolerance_or_sections = 20000L;
   query.numbers = Coordinates::floats;
   query.origin = {-1000000, 0, 0};
   CHECK_THROWS_AS(answer(path, query), Undecided);
