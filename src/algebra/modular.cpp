@@ -156,19 +156,15 @@ bool sum_of_squares_is_seen_no_square(const Polynomial& a, const Polynomial& b,
   constexpr Word prime = 2147483647;
   constexpr Word places = 8;
   const std::array<const Polynomial*, 3> all{&a, &b, &c};
-  std::array<ModularPolynomial, 3> numerators{ModularPolynomial(prime), ModularPolynomial(prime),
-                                              ModularPolynomial(prime)};
+  std::array<ModularPolynomial, 3> reduced{ModularPolynomial(prime), ModularPolynomial(prime),
+                                           ModularPolynomial(prime)};
   for (std::size_t k = 0; k < 3; ++k) {
-    const fmpq_poly_struct* p = all[k]->raw();
-    const Word denominator = fmpz_fdiv_ui(p->den, prime);
-    if (denominator == 0) return false;
-    for (slong j = fmpq_poly_length(p); j-- > 0;)
-      nmod_poly_set_coeff_ui(numerators[k].raw(), j, fmpz_fdiv_ui(p->coeffs + j, prime));
-    if (denominator != 1) numerators[k] /= denominator;
+    if (fmpz_fdiv_ui(all[k]->raw()->den, prime) == 0) return false;
+    fmpq_poly_get_nmod_poly(reduced[k].raw(), all[k]->raw());
   }
   for (Word t = 0; t < places; ++t) {
     Word sum = 0;  // of three numbers below 2^31
-    for (const ModularPolynomial& p : numerators) {
+    for (const ModularPolynomial& p : reduced) {
       const Word value = evaluate(p, t);
       sum += value * value % prime;
     }

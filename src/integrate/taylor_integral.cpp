@@ -16,6 +16,7 @@
 #include "phrame/algebra/shared.hpp"
 #include "phrame/algebra/sturm.hpp"
 #include "phrame/algebra/unit_series.hpp"
+#include "phrame/integrate/lowest_root_quotient.hpp"
 
 // [0, 1] is halved into parts [m − h, m + h] until, with t = m + hx, the Taylor series of 1/√S and
 // 1/D in x converge well beyond |x| = 1, which unit_bounds() proves. On a part unit_series() has an
@@ -189,7 +190,9 @@ SplitSquare split_square(const Polynomial& S) {
   return split;
 }
 
-/// S = g²·S₁: N/(D·|g|·√S₁) in lowest terms, D > 0.
+}  // namespace
+
+// S = g²·S₁: N/(D·|g|·√S₁).
 RootQuotient in_lowest_terms(const RootQuotient& f) {
   if (f.denominator.is_zero() || f.radicand.is_zero())
     throw DomainError("the integrand is divided by 0");
@@ -210,6 +213,8 @@ RootQuotient in_lowest_terms(const RootQuotient& f) {
   }
   return lowest;
 }
+
+namespace {
 
 /// F, where it is a polynomial over ℚ.
 std::optional<Polynomial> polynomial_integral(const RootQuotient& f) {

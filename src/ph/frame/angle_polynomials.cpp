@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "phrame/integrate/lowest_root_quotient.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/frame/integral_piece.hpp"
 
@@ -31,8 +32,7 @@ PieceRate rate_of(const PathAngle& angle, std::size_t k) {
   const bool is_up = angle.reference() == Reference::up;
   const Segment& segment = angle.path().segments()[k];
   if (const RationalCurve* curve = rational_curve(segment))
-    return TaylorIntegral(is_up ? up_frame_turning(*curve, angle.up()) : frenet_turning(*curve))
-        .integrand();
+    return in_lowest_terms(is_up ? up_frame_turning(*curve, angle.up()) : frenet_turning(*curve));
   const CurveIntegrand rate = is_up ? up_frame_rate(angle.up()) : torsion_rate();
   return orientation(segment) > 0 ? negative(rate) : rate;
 }

@@ -6,6 +6,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/algebra/rounded_values.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/integrate/lowest_root_quotient.hpp"
 #include "phrame/ph/along/rational_rates.hpp"
 #include "phrame/ph/curve/invariants.hpp"
 #include "phrame/ph/curve/special_points.hpp"
@@ -33,7 +34,7 @@ PieceRate length_rate_of(const Segment& segment) {
   if (const Curve* curve = ph_curve(segment); curve != nullptr && curve->is_polynomial())
     return with_positive({curve->multiplier() * sigma(curve->preimage())}, curve->multiplier());
   if (const RationalCurve* curve = rational_curve(segment))
-    return with_positive(TaylorIntegral(length_rate(*curve)).integrand(), curve->multiplier());
+    return with_positive(in_lowest_terms(length_rate(*curve)), curve->multiplier());
   return length_rate();
 }
 
