@@ -31,8 +31,22 @@ bool are_joined(const CurveSeries& curve, const CurvePart& a, const CurvePart& b
 /// Adds one to those that are sorted by first place, unless it is one of them.
 void add_once(std::vector<Crossing>& found, const Crossing& crossing);
 
-/// What self_intersections() left undecided, looked at in arcs down to 2^−64 of a segment: branches
-/// that nearly touch are told apart, or cross in places that are found. What is decided is moved.
-void look_closer(const CurveSeries& curve, SelfIntersections& result);
+/// Pairs of arcs looked at in balls, with bits enough for arcs of 2^−64 of a segment: branches that
+/// nearly touch are told apart there, or cross in places that are found, however near to each other
+/// they are beside their coordinates.
+class CloseSearch {
+ public:
+  explicit CloseSearch(const CurveSeries& curve);
+  /// All crossings of two parts; no value where they are not told, or after too many of these.
+  std::optional<std::vector<Crossing>> crossings(const CurvePart& a, const CurvePart& b);
+
+ private:
+  const CurveSeries& curve_;
+  PlanePosition position_;
+  long pairs_left_;
+};
+
+/// What self_intersections() left undecided is looked at so. What is decided is moved.
+void look_closer(const CurveSeries& curve, CloseSearch& search, SelfIntersections& result);
 
 }  // namespace phrame

@@ -25,6 +25,7 @@ constexpr double least_arc = 0x1p-30;
 constexpr long most_pairs = 4'000'000;
 constexpr double least_plane_arc = 0x1p-24;
 constexpr long most_plane_pairs = 400'000;  // and as many for ten segments each
+constexpr long most_close_failures = 8;
 constexpr std::size_t most_undecided = 64;  // and eight for each segment
 
 /// Is the arc so short that the errors of doubles tell nothing more of it?
@@ -76,10 +77,11 @@ class CrossingSearch {
  public:
   CrossingSearch(CurveTree& first, CurveTree& second) : first_(first), second_(second) {}
   /// Of a curve in a plane, with itself.
-  CrossingSearch(CurveTree& plane, const CrossingQuery& query)
+  CrossingSearch(CurveTree& plane, const CrossingQuery& query, CloseSearch& close)
       : first_(plane),
         second_(plane),
         is_plane_(true),
+        close_(&close),
         most_pairs_(most_plane_pairs +
                     most_plane_pairs / 10 * static_cast<long>(plane.root().last_segment)),
         query_(query) {}
@@ -122,6 +124,7 @@ class CrossingSearch {
         if (is_decided || is_known(a, b)) return true;
         if (place) return leave_undecided(*place);
       }
+      if (is_plane_ && are_nearly_parallel(a, b) && are_told_closely(a, b)) return true;
       if (is_plane_ && is_tiny(a.box) && is_tiny(b.box))
         return add_undecided({part_of(a), part_of(b)});
     }
@@ -148,6 +151,7 @@ class CrossingSearch {
   NewtonStep step(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
                   long bits) const;
   bool add_crossing(const CurveNode& a, const CurveNode& b, NewtonStep at);
+  bool are_told_closely(const CurveNode& a, const CurveNode& b);
   int sign_at(const CurveNode& a, const RealBall& s, const CurveNode& b, const RealBall& t,
               long bits) const;
 
@@ -182,6 +186,8 @@ class CrossingSearch {
   CurveTree& first_;
   CurveTree& second_;
   bool is_plane_ = false;
+  CloseSearch* close_ = nullptr;
+  long close_failures_ = 0;
   long most_pairs_ = most_pairs;
   CrossingQuery query_ = {};
   long pairs_ = 0;
@@ -208,6 +214,15 @@ std::optional<CurvePart> merged(const CurvePart& a, const CurvePart& b) {
   if (a.segment != b.segment || a.lower > b.upper + near || b.lower > a.upper + near)
     return std::nullopt;
   return CurvePart{a.segment, std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+}
+
+/// Are all their crossings found by balls?
+bool CrossingSearch::are_told_closely(const CurveNode& a, const CurveNode& b) {
+  if (close_failures_ > most_close_failures || is_known(a, b)) return false;
+  const auto found = close_->crossings(part_of(a), part_of(b));
+  if (!found) ++close_failures_;
+  if (found) found_.insert(found_.end(), found->begin(), found->end());
+  return found.has_value();
 }
 
 /// Goes on without these, of a curve in a plane.
@@ -333,8 +348,9 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
 
 SelfIntersections self_intersections(const CurveSeries& curve, const CrossingQuery& query) {
   CurveTree tree(curve, {0, 0, 1});
-  SelfIntersections result = CrossingSearch(tree, query).in_plane();
-  look_closer(curve, result);
+  CloseSearch close(curve);
+  SelfIntersections result = CrossingSearch(tree, query, close).in_plane();
+  look_closer(curve, close, result);
   return result;
 }
 

@@ -210,11 +210,20 @@ bool are_transversal(const PlaneBox& a, const PlaneBox& b) {
   return left.lower > right.upper || left.upper < right.lower;
 }
 
+namespace {
+
+/// Two arcs seen along a normal of the first one.
+struct AcrossView {
+  DoubleInterval gap;  ///< of their middles
+  double reach;        ///< how far both go from these, taken together
+  double length;       ///< how far the longer one does along the first one
+};
+
 // With P = P(m) + P′(m)·u + ½P″·u² at m + u: of short arcs what is across is as small as u², while
 // a box of P′ is as wide across as along, where the speed changes, as it does next to a cusp.
-bool are_apart_across(const CurveNode& a, const CurveNode& b) {
+std::optional<AcrossView> across(const CurveNode& a, const CurveNode& b) {
   for (const CurveNode* node : {&a, &b})
-    if (!is_bounded(node->slope) || !is_bounded(node->bend)) return false;
+    if (!is_bounded(node->slope) || !is_bounded(node->bend)) return std::nullopt;
   const std::array<double, 2> normal{-(a.slope[1].lower / 2 + a.slope[1].upper / 2),
                                      a.slope[0].lower / 2 + a.slope[0].upper / 2};
   const auto reach = [&](const CurveNode& node) {
@@ -223,10 +232,29 @@ bool are_apart_across(const CurveNode& a, const CurveNode& b) {
             size_of(dot_product(normal, node.bend)) * u) *
            u;
   };
-  const DoubleInterval gap = dot_product(
-      normal, {difference(a.middle[0], b.middle[0]), difference(a.middle[1], b.middle[1])});
-  const double distance = std::max(gap.lower, -gap.upper);
-  return distance > (reach(a) + reach(b)) * (1 + slack) && distance > 1e-300;
+  const auto length = [&](const CurveNode& node) {
+    const double along = normal[1] * node.slope[0].lower - normal[0] * node.slope[1].lower;
+    return std::abs(along) * (node.upper - node.lower);
+  };
+  return AcrossView{dot_product(normal, {difference(a.middle[0], b.middle[0]),
+                                         difference(a.middle[1], b.middle[1])}),
+                    (reach(a) + reach(b)) * (1 + slack), std::max(length(a), length(b))};
+}
+
+}  // namespace
+
+bool are_apart_across(const CurveNode& a, const CurveNode& b) {
+  const auto view = across(a, b);
+  if (!view) return false;
+  const double distance = std::max(view->gap.lower, -view->gap.upper);
+  return distance > view->reach && distance > 1e-300;
+}
+
+bool are_nearly_parallel(const CurveNode& a, const CurveNode& b) {
+  constexpr double thin = 0x1p-5;
+  const auto view = across(a, b);
+  return view && (view->reach < thin * view->length ||
+                  view->gap.upper - view->gap.lower > thin * view->reach);
 }
 
 RealBall arc_parameter(const CurveNode& arc) {

@@ -62,6 +62,9 @@ RealBall midpoint_of(const RealBall& x);
 /// Do the arcs lie apart, seen along a normal of the first one? So do those of nearly parallel
 /// branches, whose boxes have points in common.
 bool are_apart_across(const CurveNode& a, const CurveNode& b);
+/// Are both long beside how far they go across the first one, or that beside what doubles are
+/// rounded by?
+bool are_nearly_parallel(const CurveNode& a, const CurveNode& b);
 
 /// A curve, projected along v to a plane, in parts of parts.
 class CurveTree {

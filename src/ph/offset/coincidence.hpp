@@ -49,7 +49,10 @@ class Coincidences {
   /// each two curves of which one ends in the box of the other, and where that is not 1 the
   /// equations; of legs of lines up to four polynomials of their degree are factored.
   Coincidences(const OffsetBranches& branches, const CurveSeries& series);
+  Coincidences() = default;  ///< none
 
+  /// Are there none, and no parallel lines, either?
+  bool are_none() const { return lines_.empty() && factors_.empty(); }
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
   /// Where legs of lines have one point in common, as joints may be, too.
   const std::vector<KnownMeeting>& points() const { return points_; }

@@ -215,9 +215,10 @@ std::vector<Path> joined_paths(const OffsetBranches& branches) {
   return found;
 }
 
+namespace {
+
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
-                                     CrossingQuery query) {
-  const Coincidences coincidences(branches, series);
+                                     const Coincidences& coincidences, CrossingQuery query) {
   query.are_idle = [&coincidences, are_idle = std::move(query.are_idle)](const CurveNode& a,
                                                                          const CurveNode& b) {
     return (are_idle && are_idle(a, b)) || coincidences.cover(a, b);
@@ -239,12 +240,10 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
   return result;
 }
 
-namespace {
-
 /// With parameters known to so many bits.
-SelfIntersections self_intersections(const OffsetBranches& branches, long bits) {
-  const CurveSeries series = plane_series(branches);
-  SelfIntersections result = self_intersections(branches, series, {});
+SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
+                                     const Coincidences& coincidences, long bits) {
+  SelfIntersections result = self_intersections(branches, series, coincidences, CrossingQuery{});
   for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
   return result;
 }
@@ -297,21 +296,44 @@ class OfPieces {
 
 }  // namespace
 
+SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
+                                     CrossingQuery query) {
+  return self_intersections(branches, series, Coincidences(branches, series), std::move(query));
+}
+
 // Arcs of doubles are too long next to a near-cusp, where a curve turns within little of its
-// parameter: where something is undecided it is looked at in parts.
+// parameter. Such a curve is looked at in parts; so are others where something is undecided.
 SelfIntersections self_intersections(const Offset& offset, long bits) {
+  constexpr long shortest = -12;  // of the exponents of parts where there is no near-cusp
   const OffsetBranches branches = branches_of(offset);
-  SelfIntersections result = self_intersections(branches, bits);
-  if (result.is_complete()) return result;
-  const auto [fine, parts] = in_turning_parts(branches);
-  if (parts.size() == branches.curves.size()) return result;
-  SelfIntersections again = self_intersections(fine, bits);
+  const CurveSeries series = plane_series(branches);
+  const Coincidences coincidences(branches, series);
+  const std::vector<std::vector<Rational>> cuts = turning_cuts(branches);
+  bool is_cut = false;
+  bool has_near_cusp = false;
+  for (const std::vector<Rational>& of_curve : cuts)
+    for (std::size_t j = 1; j < of_curve.size(); ++j) {
+      is_cut = is_cut || j > 1;
+      if (binary_exponent(of_curve[j] - of_curve[j - 1]) < shortest) has_near_cusp = true;
+    }
+  const auto found = [&](bool are_in_parts) {
+    if (!are_in_parts) return self_intersections(branches, series, coincidences, bits);
+    const auto [fine, parts] = in_parts(branches, cuts);
+    const CurveSeries of_parts = plane_series(fine);
+    const Coincidences again =
+        coincidences.are_none() ? Coincidences() : Coincidences(fine, of_parts);
+    SelfIntersections told =
+        OfPieces(parts, bits + 64).told(self_intersections(fine, of_parts, again, bits));
+    told.coincident = coincidences.parts();
+    return told;
+  };
+  SelfIntersections result = found(has_near_cusp);
+  if (result.is_complete() || !is_cut) return result;
+  SelfIntersections again = found(!has_near_cusp);
   const auto rank = [](const SelfIntersections& x) {
     return std::pair(x.is_cut_off, x.undecided.size());
   };
-  if (rank(again) >= rank(result)) return result;
-  again.coincident = std::move(result.coincident);  // here they are in parts
-  return OfPieces(parts, bits + 64).told(std::move(again));
+  return rank(again) < rank(result) ? again : result;
 }
 
 }  // namespace phrame

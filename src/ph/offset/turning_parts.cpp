@@ -89,19 +89,28 @@ PathInParts in_turning_parts(const PhPath& path) {
   return {PhPath::of_continuous(std::move(curves), std::move(corners)), std::move(parts)};
 }
 
-BranchesInParts in_turning_parts(const OffsetBranches& pieces) {
+std::vector<std::vector<Rational>> turning_cuts(const OffsetBranches& pieces) {
+  std::vector<std::vector<Rational>> cuts;
+  for (const RationalCurve& curve : pieces.curves) {
+    const auto& [x, y, z] = curve.direction();
+    const RationalFunction rate(x * differentiate(y) - y * differentiate(x), x * x + y * y);
+    cuts.push_back(turning_cuts(rate.numerator(), rate.denominator()));
+  }
+  return cuts;
+}
+
+BranchesInParts in_parts(const OffsetBranches& pieces,
+                         const std::vector<std::vector<Rational>>& cuts) {
   BranchesInParts made;
   std::vector<std::size_t> first;  // of the parts of each piece
   for (std::size_t k = 0; k < pieces.curves.size(); ++k) {
     const RationalCurve& curve = pieces.curves[k];
-    const auto& [x, y, z] = curve.direction();
-    const RationalFunction rate(x * differentiate(y) - y * differentiate(x), x * x + y * y);
-    const std::vector<Rational> cuts = turning_cuts(rate.numerator(), rate.denominator());
     first.push_back(made.parts.size());
-    for (std::size_t j = 0; j + 1 < cuts.size(); ++j) {
-      made.branches.curves.push_back(cuts.size() == 2 ? curve
-                                                      : part_of(curve, cuts[j], cuts[j + 1]));
-      made.parts.push_back({k, cuts[j], cuts[j + 1]});
+    for (std::size_t j = 0; j + 1 < cuts[k].size(); ++j) {
+      const Rational& lower = cuts[k][j];
+      const Rational& upper = cuts[k][j + 1];
+      made.branches.curves.push_back(cuts[k].size() == 2 ? curve : part_of(curve, lower, upper));
+      made.parts.push_back({k, lower, upper});
       if (!pieces.turns.empty())
         made.branches.turns.push_back(inside(pieces.turns[k], made.parts.back()));
     }

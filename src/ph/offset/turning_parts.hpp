@@ -34,7 +34,10 @@ struct BranchesInParts {
   OffsetBranches branches;         ///< a curve for each part
   std::vector<SegmentPart> parts;  ///< what these are, with the pieces for segments
 };
-/// Costs more than for a path, whose σ has half the degree.
-BranchesInParts in_turning_parts(const OffsetBranches& pieces);
+/// The cuts of each of them. Costs more than for a path, whose σ has half the degree.
+std::vector<std::vector<Rational>> turning_cuts(const OffsetBranches& pieces);
+/// Cut there.
+BranchesInParts in_parts(const OffsetBranches& pieces,
+                         const std::vector<std::vector<Rational>>& cuts);
 
 }  // namespace phrame

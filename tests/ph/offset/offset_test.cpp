@@ -377,6 +377,30 @@ TEST_CASE("offset: a near-cusp, at which arcs of doubles are too long") {
   CHECK(is_near(meeting.found[0].second_t, "0.57999999992969932245"));
 }
 
+// w = s + ie, s = t - 1/2, turns by a whole turn: the offset goes round a circle that begins and ends
+// along its branches. It is symmetric about s = 0, with X(s) = s^3/3 - e^2 s + 2des/(s^2 + e^2), and
+// crosses itself where X = 0; its halves have a monotone curvature, so that each does not meet itself.
+TEST_CASE("offset: a near-cusp of a whole turn") {
+  for (const long digits : {6, 15, 30, 60}) {
+    CAPTURE(digits);
+    const Rational e = power_of_ten(-digits);
+    const Rational d(-1, 10);
+    const Curve curve({Polynomial{Rational(-1, 2), 1}, {}, {}, Polynomial{e}});
+    const SelfIntersections meeting = self_intersections(offset(PhPath(curve), d), 96 + 4 * digits);
+    CHECK(meeting.is_complete());
+    REQUIRE(meeting.found.size() == 1);
+    const Rational middle(1, 2);
+    const auto x = [&](const Rational& s) -> Rational {
+      return (s * s / 3 - e * e) * (s * s + e * e) + 2 * d * e;
+    };
+    const RealBall& t = meeting.found[0].second_t;
+    CHECK(x(t.lower() - middle).sign() == -1);
+    CHECK(x(t.upper() - middle).sign() == 1);
+    const RealBall& other = meeting.found[0].first_t;
+    CHECK(other.contains(1 - t.midpoint()));
+  }
+}
+
 // The numbers are those of a picture of Farouki's slides; a polygon through 6000 points of this
 // offset, cut by itself in NumPy, has as many.
 TEST_CASE("offset: one with four cusps that meets itself six times") {
