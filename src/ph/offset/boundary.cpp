@@ -471,7 +471,8 @@ class Trimmer {
     for (std::size_t k = 0; k < edges_.size(); ++k)
       if (!edges_[k].is_used) follow(k, starting);
     std::ranges::stable_sort(result_.branches, {}, [](const TrimmedBranch& branch) {
-      return branch.parts.front().piece;
+      const OffsetPart& first = branch.parts.front();
+      return std::pair(first.piece, first.from.enclose(place_bits).midpoint());
     });
   }
 
