@@ -58,17 +58,6 @@ bool is_in_plane(const Segment& segment) {
   return curve != nullptr && curve->direction()[2].is_zero();
 }
 
-/// Throws InputError where a segment is in no plane z = const; formulas are no matter of this.
-void require_plane(const Path& path, const std::string& file) {
-  const auto& segments = path.segments();
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    if (rational_curve(segments[k]) != nullptr && !is_in_plane(segments[k]))
-      throw InputError(name_of_file(file),
-                       segments.size() == 1
-                           ? "the curve is in no plane z = const"
-                           : fmt::format("segment {} is in no plane z = const", k + 1));
-}
-
 /// A PH path within --near. Control points may leave gaps, which one of the same degrees closes.
 NamedPath read_near(const CurveOptions& options) {
   const std::string file = name_of_file(options.path);
@@ -77,10 +66,10 @@ NamedPath read_near(const CurveOptions& options) {
     named = read_as_it_is(options);
   } catch (const InputError&) {
     NamedPath closed = options.read_path_with_preimages();
-    require_plane(closed.path, options.path);
+    require_plane(closed.path, file);
     return closed;
   }
-  require_plane(named->path, options.path);
+  require_plane(named->path, file);
   NamedPhPath near =
       at_option(file, [&] { return near_ph_path(*named, options.epsilon().value()); });
   if (near.near)
@@ -96,7 +85,7 @@ NamedPath read_curve(CurveOptions options) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
   const NamedPath named = read_as_it_is(options);
-  require_plane(named.path, options.path);
+  require_plane(named.path, name_of_file(options.path));
   if (auto ph = with_preimages(named)) return *std::move(ph);
   const auto& segments = named.path.segments();
   if (!std::ranges::all_of(segments, is_in_plane))
@@ -170,7 +159,7 @@ void run_check(const OffsetOptions& options) {
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
   const auto path = curve.near ? with_preimages(read_near(curve)).value() : curve.read_path();
-  require_plane(path.path, curve.path);
+  require_plane(path.path, name_of_file(curve.path));
   require_polynomial(path.path.segments(), name_of_file(curve.path));
   const OffsetCheckAnswer found = answer(path, check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));

@@ -23,6 +23,6 @@ PHRAME_API std::vector<RealRoot> odd(const std::vector<RealRoot>& points);
 /// Those of them in (0, 1).
 PHRAME_API std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
 /// Where in (0, 1) a curve with that multiplier, f or p, turns back.
-std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier);
+PHRAME_API std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier);
 
 }  // namespace phrame
