@@ -79,9 +79,9 @@ NamedPath read_near(const CurveOptions& options) {
   return near;
 }
 
-/// A PH path, or a curve in a plane of which the offset may be rational for both sides together, or
-/// over another field.
-NamedPath read_curve(CurveOptions options) {
+/// A PH path, or, to offset all of it, a curve in a plane of which the offset may be rational for
+/// both sides together, or over another field.
+NamedPath read_curve(CurveOptions options, bool is_whole) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
   const NamedPath named = read_as_it_is(options);
@@ -91,8 +91,9 @@ NamedPath read_curve(CurveOptions options) {
   if (!std::ranges::all_of(segments, is_in_plane))
     return options.read_path_with_preimages();  // which says why it is not PH
   using Kind = OffsetKind::Kind;
-  const Kind kind =
-      segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
+  const Kind kind = segments.size() > 1 || !is_whole
+                        ? Kind::none
+                        : offset_kind(*rational_curve(segments.front())).kind;
   if (kind == Kind::two_sided || kind == Kind::each_side)
     return options.read_any_path();  // which says what PH curve is near
   throw InputError(name_of_file(options.path),
@@ -173,7 +174,9 @@ void run(const OffsetOptions& options) {
   OffsetQuery asked = query(options);
   if (options.gauge) asked.gauge = read_gauge(*options.gauge);
   const OffsetAnswer found =
-      answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
+      answer(asked.gauge ? read_plane_path(options.curve)
+                         : read_curve(options.curve, !asked.trim && !asked.pocket),
+             asked);
   printer.write(found, options.output, options.length, tolerance);
   const auto is_none = [](const OffsetAnswer::Part& part) { return part.paths.empty(); };
   if (!found.without.empty() || std::ranges::any_of(found.offsets, is_none)) throw AnswerNo{};

@@ -204,10 +204,13 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   CHECK(branches(" --gauge circle.json") == branches(""));
   here.write("ellipse.json", R"({"phrame": "curve/1", "basis": "power",
       "position": {"x": [1, 0, -1], "y": [0, 4], "w": [1, 0, 1]}})");
-  check_failure(
-      here.run("offset back.json --distance 1 --trim --gauge ellipse.json -o off.json"), 3,
-      "phrame: trimmed_offset: segment 1 has no rational offset under this gauge, so that "
-      "what is left is not known\n");
+  check_failure(here.run("offset back.json --distance 1 --trim --gauge ellipse.json -o off.json"),
+                3, "phrame: offset: the path has no rational offset under this gauge: ");
+  here.write("parabola.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})");
+  for (const char* more : {" --trim", " --pocket"})
+    check_failure(here.run(std::string("offset parabola.json --distance 1 -o off.json") + more), 2,
+                  "phrame: parabola.json: the path is not PH, so that its offset is not rational");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
 

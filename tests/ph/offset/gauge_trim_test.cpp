@@ -241,6 +241,18 @@ TEST_CASE("gauge trim: what is nearer to the end of an open path is cut by half 
   CHECK(std::abs(value(parts[0].to) - (2 - std::sqrt(0.5)) / 4) < 1e-15);
 }
 
+TEST_CASE("gauge trim: branches are by the places where they start, closed ones, too") {
+  const Polynomial u = from_bernstein({-4, -3, 5});
+  const Polynomial q = from_bernstein({4, 2, Rational(8, 7)});
+  const PhPath path(Curve({u, {}, {}, q}, from_bernstein({3, -4, -2})));
+  const TrimmedOffset found = trimmed_offset(Path(path), Gauge(unit_circle()), Rational(-1, 2));
+  REQUIRE(found.branches.size() == 3);
+  CHECK(found.branches[1].is_closed);
+  const auto start = [&](std::size_t k) { return value(found.branches[k].parts.front().from); };
+  CHECK(start(0) < start(1));
+  CHECK(start(1) < start(2));
+}
+
 // What is left of the offset of a line that goes to and fro is as long as all of the line, whatever
 // the gauge: x = 2t - 6t^2 + 4t^3 is 0 at both ends, and +-sqrt(3)/9 where it turns back.
 TEST_CASE("gauge trim: of a line that turns back what is left is that of all its points") {

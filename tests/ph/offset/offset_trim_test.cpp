@@ -10,6 +10,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/disc_cover.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 #include "support/trim_proof.hpp"
@@ -897,6 +898,38 @@ TEST_CASE("offset_trim: law: paths that turn back at cusps") {
     branches += static_cast<long>(found.branches.size());
   });
   CHECK(branches >= 3);
+}
+
+TEST_CASE("offset_trim: a part shorter than 2^-64 has a length") {
+  const PhPath line = lines({{0, 0, 0}, {3, 0, 0}});
+  const Rational width = power_of_two(-200);
+  const Rational third(1, 3);
+  const TrimmedOffset found{offset(line, 1), {{{{0, third, third + width}}, false}}, {}};
+  const Real length = measure(line, found, found.branches[0]).length;
+  CHECK(length.exact() == Rational(3 * width));
+}
+
+// 1 + dκ = 1 - 1/(1 + v^2)^2 with v = t - 1/2: Δs + d·Δφ = 13/12 - 2 atan(1/2).
+TEST_CASE("offset_trim: the length of a part in the middle of which the offset stands still") {
+  const PhPath path(Curve({{1}, {}, {}, {Rational(-1, 2), 1}}));
+  const TrimmedOffset found = trimmed_offset(path, Rational(-1, 2));
+  REQUIRE(found.branches.size() == 1);
+  CHECK(found.branches[0].parts.size() == 1);
+  const double length = approximate(measure(path, found, found.branches[0]).length);
+  CHECK(std::abs(length - (13.0 / 12 - 2 * std::atan(0.5))) < 1e-14);
+}
+
+// Bernstein coefficients of 1 and -1 in turns: powers of t up to 3^100 cancel.
+TEST_CASE(
+    "offset_trim: discs along a curve of high degree are where its Bernstein coefficients are") {
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= 100; ++k) coefficients.emplace_back(k % 2 == 0 ? 1 : -1);
+  const DiscCover discs({{from_bernstein(coefficients), Polynomial{0, 1}, {1}, {1}}});
+  const auto any_near = [&](const Vector<Rational>& at) {
+    return discs.any_near(at, [](std::size_t) { return true; });
+  };
+  CHECK(any_near({0, Rational(1, 2), 0}));
+  CHECK_FALSE(any_near({3, Rational(1, 2), 0}));
 }
 
 TEST_CASE("offset_trim: what cannot be is refused") {
