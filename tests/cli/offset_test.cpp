@@ -96,6 +96,18 @@ TEST_CASE("offset: long fractions are decimals in a text, and exact in JSON") {
       contains(here.run("offset box.json --distance=-1/4 --trim").out, "from t = 5/4 to t = 7/4"));
 }
 
+// The place is that of findroot() of mpmath: w = (s + i/10^20)(2 - 3i + (2 + 7i)s), s = t - 29/50.
+TEST_CASE("offset: where it meets itself next to a near-cusp all digits are told") {
+  const Workshop here;
+  here.write("near.json", R"({"phrame": "curve/1", "basis": "power", "preimage": {
+      "u": ["-2435999999999999999647/5000000000000000000000", "-32000000000000000007/100000000000000000000", "2"],
+      "v": [0], "p": [0],
+      "q": ["10237000000000000000021/2500000000000000000000", "-555999999999999999999/50000000000000000000", "7"]}})");
+  CHECK(contains(here.run("offset near.json --distance=-1/4").out,
+                 "t = 0.38689100951517133 and t = 0.58000000000000000: "
+                 "(−2.1356665710586595, −1.0222379296488601)"));
+}
+
 TEST_CASE("offset: the file that is written is the offset, and other commands read it") {
   const Workshop here;
   here.write("turn.json", turn);

@@ -304,8 +304,8 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   }
   const auto lower = [&](std::size_t k) { return all[k][0].lower; };
   std::ranges::sort(order, {}, lower);
-  // What coincides does not both start and end at one joint of two curves. Where one of them turns
-  // back, it may start there.
+  // What coincides does not both start and end at one joint of two curves. Where both turn back,
+  // it may start and end there.
   const auto may_end_on = [&](std::size_t a, std::size_t b) {
     const bool is_before = branches.behind[a] == b;
     const bool is_behind = branches.behind[b] == a;
@@ -372,7 +372,7 @@ void Coincidences::add_lines(std::size_t first, std::size_t second,
   if (!is_along(evaluate(curves[second].direction(), 0))) return;
   lines_.insert({first, second});
   if (!is_along(point(curves[second], 0) - point(curves[first], 0))) return;
-  const CurveCourse a = course_of_line(first, curves[first]);
+  const CurveCourse& a = course_of_line(first, curves[first]);
   add_legs(first, a, second, course_of_line(second, curves[second]), curves);
 }
 
@@ -440,10 +440,18 @@ bool Coincidences::cover(const CurveNode& a, const CurveNode& b) const {
            (tips.empty() || (turns_once && a.turn != 0 && b.turn != 0));
   }
   if (a.reversals > 1 || b.reversals > 1) return false;
-  if (a.reversals + b.reversals > 0 && (a.turn == 0 || b.turn == 0)) return false;
+  if ((has_cusp(a) || has_cusp(b)) && (a.turn == 0 || b.turn == 0)) return false;
   return std::ranges::any_of(found->second, [&](const Bivariate& factor) {
     return may_vanish(factor, parameters(a), parameters(b)) &&
            (a.reversals + b.reversals < 2 || turn_back_at_once(a, b, factor));
+  });
+}
+
+/// Does an arc turn back, or the curve at an end of it?
+bool Coincidences::has_cusp(const CurveNode& arc) const {
+  const Interval part = parameters(arc);
+  return std::ranges::any_of(turning_[arc.first_segment].reversals, [&](const RealAlgebraic& t) {
+    return t >= *part.lower && t <= *part.upper;
   });
 }
 

@@ -87,6 +87,7 @@ class Coincidences {
   void add_legs(std::size_t first, const CurveCourse& a, std::size_t second, const CurveCourse& b,
                 const std::vector<RationalCurve>& curves);
   const CurveCourse& course_of_line(std::size_t line, const RationalCurve& curve);
+  bool has_cusp(const CurveNode& arc) const;
   bool turn_back_at_once(const CurveNode& a, const CurveNode& b, const Bivariate& factor) const;
 
   std::vector<SegmentTurning> turning_;  ///< of all curves
