@@ -103,7 +103,7 @@ TEST_CASE("offset: where it meets itself next to a near-cusp all digits are told
       "u": ["-2435999999999999999647/5000000000000000000000", "-32000000000000000007/100000000000000000000", "2"],
       "v": [0], "p": [0],
       "q": ["10237000000000000000021/2500000000000000000000", "-555999999999999999999/50000000000000000000", "7"]}})");
-  CHECK(contains(here.run("offset near.json --distance=-1/4").out,
+  CHECK(contains(here.run("offset near.json --distance=-0.25").out,
                  "t = 0.38689100951517133 and t = 0.58000000000000000: "
                  "(−2.1356665710586595, −1.0222379296488601)"));
 }
