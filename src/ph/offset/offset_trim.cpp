@@ -124,9 +124,11 @@ class StrokeMaker {
   Stroke stroke_;
 };
 
-std::vector<RationalCurve> curves_of(const PhPath& path) {
+/// Its segments that turn back.
+std::vector<RationalCurve> turning_curves(const PhPath& path) {
   std::vector<RationalCurve> curves;
-  for (const Curve& curve : path.segments()) curves.push_back(PhSegment(curve).by_positions());
+  for (const Curve& curve : path.segments())
+    if (constant_sign(curve) == 0) curves.push_back(PhSegment(curve).by_positions());
   return curves;
 }
 
@@ -144,7 +146,7 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     return of.is_join ? discs.disc_around(at) : discs.disc_around(at, of.segment, double_zero(t));
   };
   BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers,
-                        events_at_turns(curves_of(path), result.offset, GaugeForm())};
+                        events_at_turns(turning_curves(path), result.offset, GaugeForm())};
   curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
   curves.are_apart = [&](const CurveNode& own, const CurveNode& other) {
