@@ -30,10 +30,23 @@ struct OffsetCheckObject {
   nb::object recipe;
 };
 
+/// make(), for which an argument is not what is asked for where it throws DomainErrors.
+template <class Make>
+auto made_of(const std::string& argument, const Make& make) {
+  try {
+    return without_gil(make);
+  } catch (const DomainError& error) {
+    throw InputError(argument, error.what());
+  }
+}
+
+Gauge gauge_along(const Path& path, const std::string& argument) {
+  return made_of(argument, [path] { return Gauge(path); });
+}
+
 nb::object gauge_of(nb::handle path) {
   const NamedPath named = path_argument(path, "path").named;
-  return nb::cast(GaugeObject{
-      named, at_place("path", [&] { return without_gil([named] { return Gauge(named.path); }); })});
+  return nb::cast(GaugeObject{named, gauge_along(named.path, "path")});
 }
 
 /// A Gauge, or the curve that it is.
@@ -41,9 +54,7 @@ std::optional<Gauge> asked_gauge(nb::handle x) {
   if (x.is_none()) return std::nullopt;
   if (nb::isinstance<GaugeObject>(x)) return nb::cast<const GaugeObject&>(x).gauge;
   if (!nb::isinstance<PathObject>(x)) refuse_type("gauge", "a Gauge or a Path", x);
-  return at_place("gauge", [named = path_of(x).named] {
-    return without_gil([named] { return Gauge(named.path); });
-  });
+  return gauge_along(path_of(x).named.path, "gauge");
 }
 
 Rational asked_distance(nb::handle distance) {
@@ -63,6 +74,7 @@ nb::object offset_of(nb::handle self, nb::handle distance, nb::handle join, Flag
   query.trim = trim.value;
   query.pocket = pocket.value;
   query.gauge = asked_gauge(gauge);
+  require_plane(named.path, "path");
   const Lazy<OffsetAnswer> found;
   const bool is_report_wanted =
       query.trim || query.pocket || query.gauge || !named.path.with_preimages();
@@ -81,7 +93,7 @@ nb::object near_ph(nb::handle self, nb::handle epsilon) {
   const Rational within = rational(epsilon, "epsilon");
   if (within.sign() <= 0) refuse("epsilon", "it is not positive", epsilon);
   return wrap(
-      without_gil([=, named = path_of(self).named] { return near_ph_path(named, within); }));
+      made_of("path", [=, named = path_of(self).named] { return near_ph_path(named, within); }));
 }
 
 const OffsetAnswer& offset_answer(nb::handle self) {

@@ -227,8 +227,11 @@ def test_gauges():
         assert (x / 3) ** 2 + (y / 2) ** 2 == Fraction(1, 9) and x * 4 + y * 9 * 2 * at == 0
     with pytest.raises(phrame.DomainError, match="rational to each side over ℚ"):
         phrame.Path.bezier([[0, 0, 0], [1, 1, 0]]).offset(1, gauge=ellipse)
-    with pytest.raises(phrame.DomainError, match="path: gauge: it is not symmetric"):
-        phrame.Gauge.of(circle.translated([1, 0, 0]))
+    beside = circle.translated([1, 0, 0])
+    with pytest.raises(phrame.InputError, match="^path: gauge: it is not symmetric"):
+        phrame.Gauge.of(beside)
+    with pytest.raises(phrame.InputError, match="^gauge: gauge: it is not symmetric"):
+        CUBIC.offset(1, gauge=beside)
     with pytest.raises(TypeError, match="gauge: a Gauge or a Path is wanted"):
         CUBIC.offset(1, gauge=3)
 
@@ -277,5 +280,26 @@ def test_what_has_no_offset():
         CUBIC.offset(0)
     with pytest.raises(ValueError, match="not one of round, mitre, open"):
         CUBIC.offset(1, "bevel")
-    with pytest.raises(phrame.DomainError, match="no plane z = const"):
-        QUINTIC.offset(1)
+    parabola = phrame.Path.bezier([[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]])
+    for path, reason in (
+        (QUINTIC, "^path: the curve is in no plane z = const$"),
+        (phrame.Path([CUBIC, phrame.Curve([1], [0], [1], [1], start=CUBIC.point(1))]), "^path: segment 2 is in no plane z = const$"),
+        (phrame.Path.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0], [3, 1, 0]]), "^path: it is not Pythagorean-hodograph"),
+    ):
+        for ask in (
+            lambda path: path.offset(1),
+            lambda path: path.offset(1, trim=True),
+            lambda path: path.offset(1, pocket=True),
+            lambda path: path.check_offset([[0, 0, 0], [1, 0, 0]], 1),
+            lambda path: path.plot_offset(1),
+        ):
+            with pytest.raises(phrame.InputError, match=reason):
+                ask(path)
+    with pytest.raises(phrame.InputError, match="^path: it is not Pythagorean-hodograph"):
+        parabola.offset(1, trim=True)
+    with pytest.raises(phrame.InputError, match="^path: segment 1 is not in a plane z = const$"):
+        phrame.Path.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 1]]).near_ph("1e-3")
+    with pytest.raises(phrame.InputError, match="^path: the curve is in no plane z = const$"):
+        QUINTIC.offset(1, gauge=phrame.Path.polynomial([1, 0, -1], [0, 2], [], [1, 0, 1]))
+    with pytest.raises(phrame.DomainError, match="nothing but points is left"):  # the center of an arc
+        phrame.Path.polynomial([1, 0, -1], [0, 2], [], [1, 0, 1]).offset(-1).length

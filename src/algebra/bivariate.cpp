@@ -16,6 +16,26 @@ Polynomial Bivariate::coefficient(long k) const {
   return k <= degree() ? coefficients_[static_cast<std::size_t>(k)] : Polynomial();
 }
 
+Bivariate operator+(const Bivariate& a, const Bivariate& b) {
+  std::vector<Polynomial> rows;
+  for (long k = 0; k <= std::max(a.degree(), b.degree()); ++k)
+    rows.push_back(a.coefficient(k) + b.coefficient(k));
+  return Bivariate(std::move(rows));
+}
+
+Bivariate operator*(const Bivariate& a, const Bivariate& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  std::vector<Polynomial> rows(a.coefficients().size() + b.coefficients().size() - 1);
+  for (std::size_t j = 0; j < a.coefficients().size(); ++j)
+    for (std::size_t k = 0; k < b.coefficients().size(); ++k)
+      rows[j + k] += a.coefficients()[j] * b.coefficients()[k];
+  return Bivariate(std::move(rows));
+}
+
+Bivariate operator*(const Rational& c, const Bivariate& v) {
+  return Bivariate({Polynomial{c}}) * v;
+}
+
 std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size) {
   std::vector<Polynomial> rows;
   for (auto at = list.begin(); at != list.end(); at += size)

@@ -26,6 +26,12 @@ class PHRAME_API Bivariate {
   std::vector<Polynomial> coefficients_;  ///< the last one is not 0
 };
 
+/// @{ Arithmetic.
+PHRAME_API Bivariate operator+(const Bivariate& a, const Bivariate& b);
+PHRAME_API Bivariate operator*(const Bivariate& a, const Bivariate& b);
+PHRAME_API Bivariate operator*(const Rational& c, const Bivariate& v);
+/// @}
+
 /// Cuts the list into rows of `size` ≥ 1 numbers, of which its length is a multiple, and makes each
 /// row a polynomial.
 PHRAME_API std::vector<Polynomial> from_rows(const std::vector<Rational>& list, long size);

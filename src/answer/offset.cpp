@@ -287,14 +287,9 @@ class Pocket {
 std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trimming,
                                           const OffsetQuery& query) {
   if (query.distances.size() != 1)
-    throw DomainError("pocket: one distance is wanted, of which the others are multiples");
+    throw InputError("pocket", "one distance is wanted, of which the others are multiples");
   const Rational& d = query.distances.front();
   if (!path.is_closed()) throw InputError("pocket", "the path is open");
-  const auto is_plane = [](const Segment& segment) {
-    return rational_curve(segment)->direction()[2].is_zero();
-  };
-  if (!std::ranges::all_of(path.segments(), is_plane))
-    throw DomainError("offset: the path is in no plane z = const");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw InputError("pocket", "the distance " + to_string(d) + " is to the outside of the path");
   // Mitres may be left far outside.
@@ -321,10 +316,12 @@ OffsetAnswer::Both both_of(const Rational& d, TwoSidedOffset offset) {
 
 /// Of a path that is not PH.
 std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& query) {
+  const auto refuse = [] {
+    throw InputError("path", "it is not Pythagorean-hodograph, so that its offset is not rational");
+  };
   const RationalCurve* curve =
       path.segments().size() == 1 ? rational_curve(path.segments().front()) : nullptr;
-  if (curve == nullptr || query.trim || query.pocket || !curve->direction()[2].is_zero())
-    throw DomainError("offset: the path is not Pythagorean-hodograph");
+  if (curve == nullptr || query.trim || query.pocket) refuse();
   const OffsetKind kind = offset_kind(*curve);
   if (kind.kind == OffsetKind::Kind::each_side && kind.radicand != 1)
     throw DomainError(fmt::format("offset: the offset is rational over ℚ(√{}), not over ℚ",
@@ -334,12 +331,10 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
         "offset: the two-sided offset is rational over ℚ(√{}), not over ℚ, as y² = {} has no "
         "point modulo powers of {}",
         to_string(kind.radicand), to_string(kind.squarefree), to_string(kind.prime)));
-  if (!kind.conic) throw DomainError("offset: the path is not Pythagorean-hodograph");
+  if (!kind.conic) refuse();
   std::vector<OffsetAnswer::Both> found;
-  for (const Rational& d : query.distances) {
-    if (d == 0) throw DomainError("offset: the distance is 0");
+  for (const Rational& d : query.distances)
     found.push_back(both_of(d, two_sided_offset(*curve, kind, d, query.digits)));
-  }
   return found;
 }
 
@@ -387,14 +382,17 @@ std::string reason(const GaugeOffsets::None& none) {
 std::vector<OffsetAnswer::Both> both_sides(const RationalCurve& curve, const OffsetQuery& query,
                                            const OffsetKind& kind) {
   std::vector<OffsetAnswer::Both> found;
-  for (const Rational& d : query.distances) {
-    if (d == 0) throw DomainError("offset: the distance is 0");
+  for (const Rational& d : query.distances)
     found.push_back(both_of(d, two_sided_offset(curve, *query.gauge, kind, d, query.digits)));
-  }
   return found;
 }
 
 OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
+  const auto is_rational = [](const Segment& segment) {
+    return rational_curve(segment) != nullptr;
+  };
+  if (!std::ranges::all_of(named.path.segments(), is_rational))
+    throw InputError("path", "it is given by formulas, and under a gauge of rational curves");
   const GaugeOffsets offsets(named.path, *query.gauge);
   const auto& none = offsets.none();
   const auto& segments = named.path.segments();
@@ -429,7 +427,21 @@ OffsetAnswer under_gauge(const NamedPath& named, const OffsetQuery& query) {
 
 }  // namespace
 
+void require_plane(const Path& path, const std::string& place) {
+  const auto& segments = path.segments();
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const RationalCurve* curve = rational_curve(segments[k]);
+    if (curve != nullptr && !curve->direction()[2].is_zero())
+      throw InputError(place, segments.size() == 1
+                                  ? "the curve is in no plane z = const"
+                                  : fmt::format("segment {} is in no plane z = const", k + 1));
+  }
+}
+
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {
+  require_plane(named.path, "path");
+  if (std::ranges::find(query.distances, 0) != query.distances.end())
+    throw InputError("distance", "0 is no distance");
   if (query.gauge) return under_gauge(named, query);
   const auto path = named.path.with_preimages();
   if (!path) return {named, false, query.join, {}, {}, both_sides(named.path, query)};

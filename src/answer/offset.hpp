@@ -129,12 +129,18 @@ struct OffsetAnswer {
   std::vector<GaugeOffsets::None> without = {};
 };
 
+/// Throws InputError, at that place, where a segment is in no plane z = const; curves by formulas
+/// are no matter of this.
+PHRAME_API void require_plane(const Path& path, const std::string& place);
+
 /// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
-/// over ℚ. Throws DomainError for any other path that is not PH or in no plane z = const, for a
-/// distance 0, where at all distances nothing but points is left, as trimmed_offset(), and for a
-/// pocket of an open path, at several distances, to the outside or of 10 001 offsets; under a gauge
-/// as GaugeOffsets, as trimmed_offset(), and where no segment has a rational offset nor one segment
-/// a two-sided one, with the degrees of the factors of that and the field that it needs.
+/// over ℚ. What is asked is wrong, an InputError, for a path in no plane z = const, for any other
+/// one that is not PH, under a gauge for formulas; for a distance 0; and for a pocket of an open
+/// path, at several distances, to the outside or of 10 001 offsets. There is no answer, a
+/// DomainError, where at all distances nothing but points is left, as trimmed_offset(), and where
+/// the offset is rational over another field; under a gauge where no segment has a rational offset
+/// nor one segment a two-sided one, with the degrees of the factors of that and the field that it
+/// needs.
 PHRAME_API OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query);
 /// All paths of all offsets, or of all branches, one after the other.
 PHRAME_API std::vector<Path> all_paths(const OffsetAnswer& answer);

@@ -125,8 +125,10 @@ ExactParts exact_parts(const PhPath& path, const OffsetCheckQuery& query, const 
 }  // namespace
 
 OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) {
+  require_plane(named.path, "path");
   const auto path = named.path.with_preimages();
-  if (!path) throw DomainError("offset: the path is not Pythagorean-hodograph");
+  if (!path) throw InputError("path", "it is not Pythagorean-hodograph");
+  if (query.distance == 0) throw InputError("distance", "0 is no distance");
   const Rational distance = abs(query.distance);
   const Rational error =
       std::max(std::min(query.tolerance, distance) / 1000, distance * power_of_ten(-11));
@@ -145,10 +147,10 @@ OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) 
   for (const Path& other : query.given.paths)
     for (const Segment& segment : other.segments()) {
       const RationalCurve* curve = rational_curve(segment);
-      if (curve == nullptr) throw DomainError("offset: a curve by formulas is not checked");
+      if (curve == nullptr) throw InputError("given", "a curve by formulas is not checked");
       given.add(*curve, 0, 1, static_cast<long>(number++), false);
     }
-  if (number == 0) throw DomainError("offset: nothing is given to check");
+  if (number == 0) throw InputError("given", "there is nothing to check");
   OffsetCheckAnswer found{
       named,
       query,

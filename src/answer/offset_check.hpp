@@ -53,8 +53,9 @@ struct OffsetCheckAnswer {
   bool is_decided;         ///< if not, is it proved that they are not?
 };
 
-/// Polylines that do not end where they start are closed if all of the exact offset is. Throws as
-/// answer() of an OffsetQuery; DomainError where nothing is left of a trimmed offset; Undecided
+/// Polylines that do not end where they start are closed if all of the exact offset is. Throws
+/// InputError as answer() of an OffsetQuery, for a path that is not PH, and where nothing or a
+/// curve by formulas is given; DomainError where nothing is left of a trimmed offset; Undecided
 /// where places of a trimmed offset are.
 PHRAME_API OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query);
 

@@ -58,17 +58,6 @@ bool is_in_plane(const Segment& segment) {
   return curve != nullptr && curve->direction()[2].is_zero();
 }
 
-/// Throws InputError where a segment is in no plane z = const; formulas are no matter of this.
-void require_plane(const Path& path, const std::string& file) {
-  const auto& segments = path.segments();
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    if (rational_curve(segments[k]) != nullptr && !is_in_plane(segments[k]))
-      throw InputError(name_of_file(file),
-                       segments.size() == 1
-                           ? "the curve is in no plane z = const"
-                           : fmt::format("segment {} is in no plane z = const", k + 1));
-}
-
 /// A PH path within --near. Control points may leave gaps, which one of the same degrees closes.
 NamedPath read_near(const CurveOptions& options) {
   const std::string file = name_of_file(options.path);
@@ -77,10 +66,10 @@ NamedPath read_near(const CurveOptions& options) {
     named = read_as_it_is(options);
   } catch (const InputError&) {
     NamedPath closed = options.read_path_with_preimages();
-    require_plane(closed.path, options.path);
+    require_plane(closed.path, file);
     return closed;
   }
-  require_plane(named->path, options.path);
+  require_plane(named->path, file);
   NamedPhPath near =
       at_option(file, [&] { return near_ph_path(*named, options.epsilon().value()); });
   if (near.near)
@@ -90,20 +79,21 @@ NamedPath read_near(const CurveOptions& options) {
   return near;
 }
 
-/// A PH path, or a curve in a plane of which the offset may be rational for both sides together, or
-/// over another field.
-NamedPath read_curve(CurveOptions options) {
+/// A PH path, or, to offset all of it, a curve in a plane of which the offset may be rational for
+/// both sides together, or over another field.
+NamedPath read_curve(CurveOptions options, bool is_whole) {
   if (Exchange::current() == nullptr) options.bytes = read_file(options.path);
   if (options.near) return read_near(options);
   const NamedPath named = read_as_it_is(options);
-  require_plane(named.path, options.path);
+  require_plane(named.path, name_of_file(options.path));
   if (auto ph = with_preimages(named)) return *std::move(ph);
   const auto& segments = named.path.segments();
   if (!std::ranges::all_of(segments, is_in_plane))
     return options.read_path_with_preimages();  // which says why it is not PH
   using Kind = OffsetKind::Kind;
-  const Kind kind =
-      segments.size() > 1 ? Kind::none : offset_kind(*rational_curve(segments.front())).kind;
+  const Kind kind = segments.size() > 1 || !is_whole
+                        ? Kind::none
+                        : offset_kind(*rational_curve(segments.front())).kind;
   if (kind == Kind::two_sided || kind == Kind::each_side)
     return options.read_any_path();  // which says what PH curve is near
   throw InputError(name_of_file(options.path),
@@ -170,7 +160,7 @@ void run_check(const OffsetOptions& options) {
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
   const auto path = curve.near ? with_preimages(read_near(curve)).value() : curve.read_path();
-  require_plane(path.path, curve.path);
+  require_plane(path.path, name_of_file(curve.path));
   require_polynomial(path.path.segments(), name_of_file(curve.path));
   const OffsetCheckAnswer found = answer(path, check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));
@@ -184,7 +174,9 @@ void run(const OffsetOptions& options) {
   OffsetQuery asked = query(options);
   if (options.gauge) asked.gauge = read_gauge(*options.gauge);
   const OffsetAnswer found =
-      answer(asked.gauge ? read_plane_path(options.curve) : read_curve(options.curve), asked);
+      answer(asked.gauge ? read_plane_path(options.curve)
+                         : read_curve(options.curve, !asked.trim && !asked.pocket),
+             asked);
   printer.write(found, options.output, options.length, tolerance);
   const auto is_none = [](const OffsetAnswer::Part& part) { return part.paths.empty(); };
   if (!found.without.empty() || std::ranges::any_of(found.offsets, is_none)) throw AnswerNo{};

@@ -11,14 +11,6 @@ using test::Random;
 
 namespace {
 
-Bivariate operator*(const Bivariate& a, const Bivariate& b) {
-  std::vector<Polynomial> rows(static_cast<std::size_t>(a.degree() + b.degree() + 1));
-  for (std::size_t i = 0; i < a.coefficients().size(); ++i)
-    for (std::size_t j = 0; j < b.coefficients().size(); ++j)
-      rows[i + j] += a.coefficients()[i] * b.coefficients()[j];
-  return Bivariate(std::move(rows));
-}
-
 Bivariate random_bivariate(Random& random, long degree) {
   for (;;) {
     std::vector<Polynomial> rows;

@@ -17,6 +17,18 @@ TEST_CASE("bivariate: no leading zeros, and the value at t is a polynomial in x"
   CHECK(Bivariate({Polynomial{}}).is_zero());
 }
 
+TEST_CASE("bivariate: sums and products are those of all values") {
+  const Bivariate a({Polynomial{1, 2}, Polynomial{0, 1}});
+  const Bivariate b({Polynomial{3}, Polynomial{}, Polynomial{-1, 4, 2}});
+  for (const Rational& t : {Rational(0), Rational(2), Rational(-1, 3)}) {
+    CHECK(evaluate_at(a + b, t) == evaluate_at(a, t) + evaluate_at(b, t));
+    CHECK(evaluate_at(a * b, t) == evaluate_at(a, t) * evaluate_at(b, t));
+    CHECK(evaluate_at(Rational(3, 7) * b, t) == Rational(3, 7) * evaluate_at(b, t));
+  }
+  CHECK((a + Rational(-1) * a).is_zero());
+  CHECK((a * Bivariate()).is_zero());
+}
+
 TEST_CASE("bivariate: the primitive part has coprime integers and a positive lead, row by row") {
   const Bivariate v({Polynomial{Rational(2, 3), 4}, Polynomial{}, Polynomial{0, Rational(-2, 5)}});
   CHECK(primitive_part(v) == Bivariate({Polynomial{-5, -30}, Polynomial{}, Polynomial{0, 3}}));

@@ -96,6 +96,18 @@ TEST_CASE("offset: long fractions are decimals in a text, and exact in JSON") {
       contains(here.run("offset box.json --distance=-1/4 --trim").out, "from t = 5/4 to t = 7/4"));
 }
 
+// The place is that of findroot() of mpmath: w = (s + i/10^20)(2 - 3i + (2 + 7i)s), s = t - 29/50.
+TEST_CASE("offset: where it meets itself next to a near-cusp all digits are told") {
+  const Workshop here;
+  here.write("near.json", R"({"phrame": "curve/1", "basis": "power", "preimage": {
+      "u": ["-2435999999999999999647/5000000000000000000000", "-32000000000000000007/100000000000000000000", "2"],
+      "v": [0], "p": [0],
+      "q": ["10237000000000000000021/2500000000000000000000", "-555999999999999999999/50000000000000000000", "7"]}})");
+  CHECK(contains(here.run("offset near.json --distance=-0.25").out,
+                 "t = 0.38689100951517133 and t = 0.58000000000000000: "
+                 "(−2.1356665710586595, −1.0222379296488601)"));
+}
+
 TEST_CASE("offset: the file that is written is the offset, and other commands read it") {
   const Workshop here;
   here.write("turn.json", turn);
@@ -194,11 +206,23 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   CHECK(contains(here.run("offset turn.json --distance -1 --trim --print latex").out, "stretch"));
   here.write("back.json", R"({"phrame": "curve/1", "basis": "power", "multiplier": [1, -3],
       "preimage": {"u": [1], "v": [0], "p": [0], "q": [0, 1]}})");
-  CHECK(contains(here.run("offset back.json --distance 1 --trim").out, "stretch"));
+  const auto branches = [&](const std::string& options) {
+    const std::string out = here.run("offset back.json --distance 1 --trim" + options).out;
+    return out.substr(out.find("  branch"));
+  };
+  CHECK(contains(branches(""), "stretch"));
   here.write("circle.json", R"({"phrame": "curve/1", "basis": "power",
       "position": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}})");
-  check_failure(here.run("offset back.json --distance 1 --trim --gauge circle.json -o off.json"), 3,
-                "phrame: trimmed_offset: the path turns back at a cusp, in segment 1 at t = 1/3\n");
+  CHECK(branches(" --gauge circle.json") == branches(""));
+  here.write("ellipse.json", R"({"phrame": "curve/1", "basis": "power",
+      "position": {"x": [1, 0, -1], "y": [0, 4], "w": [1, 0, 1]}})");
+  check_failure(here.run("offset back.json --distance 1 --trim --gauge ellipse.json -o off.json"),
+                3, "phrame: offset: the path has no rational offset under this gauge: ");
+  here.write("parabola.json",
+             R"({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})");
+  for (const char* more : {" --trim", " --pocket"})
+    check_failure(here.run(std::string("offset parabola.json --distance 1 -o off.json") + more), 2,
+                  "phrame: parabola.json: the path is not PH, so that its offset is not rational");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
 }
 

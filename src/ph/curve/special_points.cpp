@@ -38,4 +38,11 @@ std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points) {
   return found;
 }
 
+std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier) {
+  std::vector<RealAlgebraic> places;
+  for (const RealRoot& root : odd_inside(real_roots(multiplier, closed_interval(0, 1))))
+    places.push_back(root.at);
+  return places;
+}
+
 }  // namespace phrame

@@ -22,5 +22,7 @@ PHRAME_API std::vector<RealRoot> inflections(const QuaternionPolynomial& a,
 PHRAME_API std::vector<RealRoot> odd(const std::vector<RealRoot>& points);
 /// Those of them in (0, 1).
 PHRAME_API std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
+/// Where in (0, 1) a curve with that multiplier, f or p, turns back.
+PHRAME_API std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier);
 
 }  // namespace phrame

@@ -360,6 +360,16 @@ class Trimmer {
       event.exact = known.exact;
   }
 
+  /// Finds the place of a crossing exactly, where it is not known.
+  void make_exact(std::size_t piece, Event& event) const {
+    if (!event.crossing || event.exact) return;
+    const Crossing& x = *event.crossing;
+    const bool is_first = piece == x.first_segment && x.first_t.overlaps(event.ball);
+    const auto& curves = stroke_.branches.curves;
+    event.exact = exact_place(curves[piece], curves[is_first ? x.second_segment : x.first_segment],
+                              event.ball);
+  }
+
   /// By places; those that are not told apart are looked at with more bits, once.
   void sort(std::size_t piece, std::vector<Event>& events) const {
     const auto lower = [](const Event& x) { return x.ball.lower(); };
@@ -371,6 +381,7 @@ class Trimmer {
       a.ball = a.t.enclose(closest_place_bits);
       b.ball = b.t.enclose(closest_place_bits);
       if (!a.ball.overlaps(b.ball)) continue;
+      if (!a.exact && !b.exact) make_exact(piece, a);
       identify(piece, a, b);
       identify(piece, b, a);
     }
@@ -471,7 +482,8 @@ class Trimmer {
     for (std::size_t k = 0; k < edges_.size(); ++k)
       if (!edges_[k].is_used) follow(k, starting);
     std::ranges::stable_sort(result_.branches, {}, [](const TrimmedBranch& branch) {
-      return branch.parts.front().piece;
+      const OffsetPart& first = branch.parts.front();
+      return std::pair(first.piece, first.from.enclose(place_bits).midpoint());
     });
   }
 

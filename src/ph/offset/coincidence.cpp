@@ -2,6 +2,11 @@
 // if not always for a t in [0, 1]; and an end of one is on the other one. Modulo a prime
 // polynomials with a common divisor have one of the same degree, where it does not divide a leading
 // coefficient.
+//
+// Let C₀ go through its points once, but for finitely many, and let the curves be C₀(h(s)) and
+// C₀(k(t)), as by Lüroth's theorem they are, over ℚ, too. For nearly each s the common points are
+// those with h(s) = k(t): so the greatest common divisor of both equations is the numerator of
+// h(s) − k(t), and tells h and k but for one fractional linear map of both.
 #include "phrame/ph/offset/coincidence.hpp"
 
 #include <algorithm>
@@ -11,7 +16,9 @@
 #include "phrame/algebra/ball_order.hpp"
 #include "phrame/algebra/bivariate_factor.hpp"
 #include "phrame/algebra/eliminant.hpp"
+#include "phrame/algebra/linear_system.hpp"
 #include "phrame/algebra/modular.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
@@ -83,10 +90,19 @@ std::optional<Rational> partner(const Bivariate& factor, const Rational& s) {
 }
 
 /// Does H point the same way at both places, where the curves have one tangent?
-bool are_alike(const RationalCurve& a, const Rational& s, const RationalCurve& b,
-               const Rational& t) {
-  return dot(evaluate(a.direction(), s), evaluate(b.direction(), t)) > 0;
+bool are_alike(const RationalCurve& a, const RealAlgebraic& s, const RationalCurve& b,
+               const RealAlgebraic& t) {
+  for (long bits = 64;; bits *= 2) {
+    const auto product = [&](std::size_t k) {
+      return multiply(evaluate(a.direction()[k], enclose(s, bits), bits),
+                      evaluate(b.direction()[k], enclose(t, bits), bits), bits);
+    };
+    if (const int found = sign(add(product(0), product(1), bits)); found != 0) return found > 0;
+  }
 }
+
+/// t − s.
+Bivariate diagonal() { return Bivariate({Polynomial{0, -1}, Polynomial{1}}); }
 
 /// Where s and t both are in [0, 1].
 std::vector<CoincidentParts> parts_along(const Bivariate& factor, std::size_t first,
@@ -117,30 +133,96 @@ PlaneBox opposite(const PlaneBox& box) {
           DoubleInterval{-box[1].upper, -box[1].lower}};
 }
 
-/// The coordinate by which the points of a straight curve are told apart.
-std::size_t axis_of(const RationalCurve& line) { return line.direction()[0](0) == 0 ? 1 : 0; }
+/// x of a straight curve, or y, by which its points are told apart.
+RationalFunction along_line(const RationalCurve& line) {
+  const std::size_t axis = line.direction()[0](0) == 0 ? 1 : 0;
+  return {line.numerator()[axis], line.weight()};
+}
 
-/// The t of a leg at which x, or y, is that number between those at its ends.
-RealAlgebraic place(const RationalCurve& line, const LineLeg& leg, const RealAlgebraic& x) {
+/// h and k without poles on [0, 1] for which the polynomial is 0 where h(s) = k(t): it is
+/// a(s)·d(t) − b(s)·c(t) with h = a/b and k = c/d, as polynomials whose coefficients of t⁰, t¹, …
+/// are combinations of two are. No value where it is none, or none of some a/(b + ma) has no poles.
+std::optional<std::array<RationalFunction, 2>> common_parameter(const Bivariate& v) {
+  const auto& rows = v.coefficients();
+  const auto one = std::ranges::find_if(rows, [](const Polynomial& p) { return !p.is_zero(); });
+  const auto other = std::find_if(one + 1, rows.end(), [&](const Polynomial& p) {
+    return !p.is_zero() && linear_relations({*one, p}).empty();
+  });
+  if (other == rows.end()) return std::nullopt;
+  const auto& [b, a] = std::minmax(*one, *other, [](const Polynomial& p, const Polynomial& q) {
+    return p.degree() < q.degree();
+  });
+  std::vector<Rational> c;
+  std::vector<Rational> d;
+  for (const Polynomial& row : rows) {  // da − cb
+    const auto relations = linear_relations({a, b, row});
+    if (relations.size() != 1) return std::nullopt;
+    const std::vector<Rational>& x = relations.front();
+    d.push_back(-x[0] / x[2]);
+    c.push_back(x[1] / x[2]);
+  }
+  for (const long m : {0, 1, -1, 2, -2, 3, -3, 5, -5, 8, -8}) {
+    const auto part = [&](const Polynomial& n, const Polynomial& rest) {
+      return RationalFunction(n, rest + Rational(m) * n);
+    };
+    const auto has_pole = [](const RationalFunction& f) {
+      return count_real_roots(f.denominator(), closed_interval(0, 1)) > 0;
+    };
+    if ((b + Rational(m) * a).is_zero()) continue;
+    const std::array<RationalFunction, 2> found{part(a, b), part(Polynomial(c), Polynomial(d))};
+    if (std::ranges::none_of(found, has_pole)) return found;
+  }
+  return std::nullopt;
+}
+
+/// The t of a leg at which f is that number between those at its ends.
+RealAlgebraic place(const RationalFunction& f, const CurveLeg& leg, const RealAlgebraic& x) {
   if (x == leg.start) return leg.from;
   if (x == leg.end) return leg.to;
-  // The polynomial of x at X/W, times a power of W.
-  const Polynomial numerator = line.numerator()[axis_of(line)];
+  // The polynomial of x at f, times a power of its denominator.
   const Polynomial& p = x.polynomial();
   Polynomial sum;
   Polynomial power{1};
   for (long k = p.degree(); k >= 0; --k) {
-    sum = sum * numerator + p.coefficient(k) * power;
-    power *= line.weight();
+    sum = sum * f.numerator() + p.coefficient(k) * power;
+    power *= f.denominator();
   }
-  const RationalFunction along(numerator, line.weight());
   const std::vector<RealRoot> roots = real_roots(sum, closed_interval(0, 1));
   return std::ranges::find_if(roots,
                               [&](const RealRoot& root) {
                                 return root.at > leg.from && root.at < leg.to &&
-                                       (x.is_rational() || image(along, root.at) == x);
+                                       (x.is_rational() || image(f, root.at) == x);
                               })
       ->at;
+}
+
+CurveCourse course_along(const RationalFunction& f, std::vector<RealAlgebraic> turns) {
+  CurveCourse course{f, {}, {}};
+  turns.emplace_back(1);
+  RealAlgebraic from;
+  RealAlgebraic start = image(f, from);
+  for (const RealAlgebraic& to : turns) {
+    RealAlgebraic end = image(f, to);
+    course.legs.push_back({std::exchange(from, to), to, std::exchange(start, end), end});
+  }
+  return course;
+}
+
+/// Where the algebraic curve turns back on a part, its ends included: at cusps, by its parameter.
+std::vector<RealAlgebraic> tips_on(const CurveCourse& course, const Interval& part) {
+  std::vector<RealAlgebraic> tips;
+  for (const CurveTip& tip : course.tips)
+    if (tip.t >= *part.lower && tip.t <= *part.upper) tips.push_back(tip.at);
+  return tips;
+}
+
+/// The least and the greatest value of its parameter on a part.
+std::array<RealAlgebraic, 2> range(const CurveCourse& course, const Interval& part) {
+  std::vector<RealAlgebraic> values{course.along(*part.lower), course.along(*part.upper)};
+  for (const CurveLeg& leg : course.legs)
+    if (leg.from > *part.lower && leg.from < *part.upper) values.push_back(leg.start);
+  const auto [least, greatest] = std::ranges::minmax_element(values);
+  return {*least, *greatest};
 }
 
 Interval parameters(const CurveNode& arc) {
@@ -163,9 +245,8 @@ MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& 
                                    bool is_one_curve) {
   MeetingEquations made{meeting_gap(a, b, 0), meeting_gap(a, b, 1), {}};
   if (is_one_curve) {
-    const Bivariate diagonal({Polynomial{0, -1}, Polynomial{1}});
-    made.f = exact_quotient(made.f, diagonal);
-    made.g = exact_quotient(made.g, diagonal);
+    made.f = exact_quotient(made.f, diagonal());
+    made.g = exact_quotient(made.g, diagonal());
   }
   const Bivariate common = gcd(made.f, made.g);
   if (common.is_constant()) return made;
@@ -176,6 +257,18 @@ MeetingEquations meeting_equations(const RationalCurve& a, const RationalCurve& 
 }
 
 bool is_straight(const RationalCurve& curve) { return binormal(curve)[2].is_zero(); }
+
+// C₀(h(t)) does where h′ = 0, and (h(t) − h(s))/(t − s) is h′ for s = t.
+bool goes_back_at(const RationalCurve& curve, const RealAlgebraic& t) {
+  if (is_straight(curve)) return true;
+  const auto vanishes = [&](const Bivariate& factor) {
+    Polynomial along;
+    for (long k = factor.degree(); k >= 0; --k)
+      along = Polynomial{0, 1} * along + factor.coefficient(k);
+    return is_root(along, t);
+  };
+  return std::ranges::any_of(meeting_equations(curve, curve, true).shared, vanishes);
+}
 
 bool is_bilinear(const Bivariate& factor) {
   return factor.degree() == 1 && swapped(factor).degree() == 1;
@@ -211,19 +304,25 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   }
   const auto lower = [&](std::size_t k) { return all[k][0].lower; };
   std::ranges::sort(order, {}, lower);
-  // What coincides does not both start and end at one joint of two curves.
+  // What coincides does not both start and end at one joint of two curves. Where both turn back,
+  // it may start and end there.
   const auto may_end_on = [&](std::size_t a, std::size_t b) {
     const bool is_before = branches.behind[a] == b;
     const bool is_behind = branches.behind[b] == a;
     return ((is_before || !is_behind) && !are_apart(ends[a][0], all[b])) ||
            ((is_behind || !is_before) && !are_apart(ends[a][1], all[b]));
   };
+  const auto may_turn_on = [&](std::size_t a, std::size_t b) {
+    return !turning_[a].reversals.empty() && !turning_[b].reversals.empty() &&
+           !are_apart(all[a], all[b]);
+  };
   for (auto a = order.begin(); a != order.end(); ++a)
     for (auto b = a + 1; b != order.end() && lower(*b) <= all[*a][0].upper; ++b) {
       const auto [first, second] = std::minmax(*a, *b);
       if (is_straight(first) && is_straight(second)
               ? !are_apart(all[first], all[second])
-              : (may_end_on(first, second) || may_end_on(second, first)) &&
+              : (may_turn_on(first, second) || may_end_on(first, second) ||
+                 may_end_on(second, first)) &&
                     images[second].may_visit(images[first], 0))
         add(first, second, curves);
     }
@@ -232,41 +331,38 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   });
 }
 
-const std::vector<LineLeg>& Coincidences::legs_of(std::size_t line, const RationalCurve& curve) {
-  std::vector<LineLeg>& legs = legs_[line];
-  if (!legs.empty()) return legs;
-  const RationalFunction x(curve.numerator()[axis_of(curve)], curve.weight());
-  RealAlgebraic from;
-  RealAlgebraic start = image(x, from);
-  std::vector<RealAlgebraic> ends = turning_[line].reversals;
-  ends.emplace_back(1);
-  for (const RealAlgebraic& to : ends) {
-    RealAlgebraic end = image(x, to);
-    legs.push_back({std::exchange(from, to), to, std::exchange(start, end), end});
-  }
-  return legs;
+const CurveCourse& Coincidences::course_of_line(std::size_t line, const RationalCurve& curve) {
+  const auto found = courses_of_lines_.find(line);
+  if (found != courses_of_lines_.end()) return found->second;
+  return courses_of_lines_.emplace(line, course_along(along_line(curve), turning_[line].reversals))
+      .first->second;
 }
 
-// Between two legs on one line all points of both ranges of x are common ones.
-void Coincidences::add_legs(std::size_t first, const LineLeg& a, std::size_t second,
-                            const LineLeg& b, const std::vector<RationalCurve>& curves) {
-  const RealAlgebraic lower = std::max(std::min(a.start, a.end), std::min(b.start, b.end));
-  const RealAlgebraic upper = std::min(std::max(a.start, a.end), std::max(b.start, b.end));
-  if (lower > upper) return;
-  RealAlgebraic s = place(curves[first], a, lower);
-  RealAlgebraic t = place(curves[second], b, lower);
-  if (lower == upper) {
-    points_.push_back({first, s, second, t});
-    return;
-  }
-  RealAlgebraic s_to = place(curves[first], a, upper);
-  RealAlgebraic t_to = place(curves[second], b, upper);
-  if (s > s_to) {
-    std::swap(s, s_to);
-    std::swap(t, t_to);
-  }
-  parts_.push_back(
-      {first, s, s_to, second, t, t_to, are_alike(curves[first], 0, curves[second], 0)});
+// Between two legs on one curve all points of both ranges of its parameter are common ones.
+void Coincidences::add_legs(std::size_t first, const CurveCourse& a, std::size_t second,
+                            const CurveCourse& b, const std::vector<RationalCurve>& curves) {
+  for (std::size_t j = 0; j < a.legs.size(); ++j)
+    for (std::size_t k = first == second ? j + 1 : 0; k < b.legs.size(); ++k) {
+      const CurveLeg& p = a.legs[j];
+      const CurveLeg& q = b.legs[k];
+      const RealAlgebraic lower = std::max(std::min(p.start, p.end), std::min(q.start, q.end));
+      const RealAlgebraic upper = std::min(std::max(p.start, p.end), std::max(q.start, q.end));
+      if (lower > upper) continue;
+      RealAlgebraic s = place(a.along, p, lower);
+      RealAlgebraic t = place(b.along, q, lower);
+      if (lower == upper) {
+        points_.push_back({first, s, second, t});
+        continue;
+      }
+      const bool alike = are_alike(curves[first], s, curves[second], t);
+      RealAlgebraic s_to = place(a.along, p, upper);
+      RealAlgebraic t_to = place(b.along, q, upper);
+      if (s > s_to) {
+        std::swap(s, s_to);
+        std::swap(t, t_to);
+      }
+      parts_.push_back({first, s, s_to, second, t, t_to, alike});
+    }
 }
 
 void Coincidences::add_lines(std::size_t first, std::size_t second,
@@ -276,18 +372,18 @@ void Coincidences::add_lines(std::size_t first, std::size_t second,
   if (!is_along(evaluate(curves[second].direction(), 0))) return;
   lines_.insert({first, second});
   if (!is_along(point(curves[second], 0) - point(curves[first], 0))) return;
-  const std::vector<LineLeg>& a = legs_of(first, curves[first]);
-  const std::vector<LineLeg>& b = legs_of(second, curves[second]);
-  for (std::size_t j = 0; j < a.size(); ++j)
-    for (std::size_t k = first == second ? j + 1 : 0; k < b.size(); ++k)
-      add_legs(first, a[j], second, b[k], curves);
+  const CurveCourse& a = course_of_line(first, curves[first]);
+  add_legs(first, a, second, course_of_line(second, curves[second]), curves);
 }
 
 void Coincidences::add(std::size_t first, std::size_t second,
                        const std::vector<RationalCurve>& curves) {
   if (is_straight(first) && is_straight(second)) return add_lines(first, second, curves);
-  for (Bivariate& factor :
-       meeting_equations(curves[first], curves[second], first == second).shared) {
+  std::vector<Bivariate> shared =
+      meeting_equations(curves[first], curves[second], first == second).shared;
+  if (!std::ranges::all_of(shared, is_bilinear) && add_courses(first, second, shared, curves))
+    return;
+  for (Bivariate& factor : shared) {
     if (!is_bilinear(factor)) continue;
     for (CoincidentParts& x : parts_along(factor, first, second, curves))
       parts_.push_back(std::move(x));
@@ -295,21 +391,67 @@ void Coincidences::add(std::size_t first, std::size_t second,
   }
 }
 
+bool Coincidences::add_courses(std::size_t first, std::size_t second,
+                               const std::vector<Bivariate>& shared,
+                               const std::vector<RationalCurve>& curves) {
+  Bivariate all = first == second ? diagonal() : Bivariate({Polynomial{1}});
+  for (const Bivariate& factor : shared) all = all * factor;
+  const auto parameter = common_parameter(all);
+  if (!parameter) return false;
+  // Where the algebraic curve turns back and the curve does along it, too, it goes on.
+  const auto course = [&](const RationalFunction& f, std::size_t curve) {
+    const std::vector<RealAlgebraic> turns = turning_places(differentiate(f).numerator());
+    CurveCourse made = course_along(f, turns);
+    std::vector<RealAlgebraic> tips;
+    std::ranges::set_symmetric_difference(turns, turning_[curve].reversals,
+                                          std::back_inserter(tips));
+    for (const RealAlgebraic& t : tips) made.tips.push_back({t, image(f, t)});
+    return made;
+  };
+  const std::array both{course(parameter->front(), first), course(parameter->back(), second)};
+  add_legs(first, both[0], second, both[1], curves);
+  courses_.emplace(std::pair(first, second), both);
+  return true;
+}
+
 bool Coincidences::is_straight(std::size_t k) const { return turning_[k].first_turn == 0; }
 
 bool Coincidences::cover(const CurveNode& a, const CurveNode& b) const {
-  if ((factors_.empty() && lines_.empty()) || !a.is_arc() || !b.is_arc()) return false;
+  if (!a.is_arc() || !b.is_arc()) return false;
   if (a.first_segment > b.first_segment) return cover(b, a);
-  if (lines_.contains({a.first_segment, b.first_segment})) return true;
-  const auto found = factors_.find({a.first_segment, b.first_segment});
-  if (found == factors_.end() || a.reversals > 1 || b.reversals > 1) return false;
+  const std::pair pair(a.first_segment, b.first_segment);
+  if (lines_.contains(pair)) return true;
+  const auto found = factors_.find(pair);
+  const auto courses = courses_.find(pair);
+  if (found == factors_.end() && courses == courses_.end()) return false;
   if (!is_one_way(hull_of(a.direction, b.direction)) &&
       !is_one_way(hull_of(a.direction, opposite(b.direction))))
     return false;
-  if (a.reversals + b.reversals > 0 && (a.turn == 0 || b.turn == 0)) return false;
+  if (courses != courses_.end()) {
+    const auto& [p, q] = courses->second;
+    const Interval of_a = parameters(a);
+    const Interval of_b = parameters(b);
+    const auto [from, to] = range(p, of_a);
+    const auto [start, end] = range(q, of_b);
+    std::vector<RealAlgebraic> tips = tips_on(p, of_a);
+    std::ranges::copy(tips_on(q, of_b), std::back_inserter(tips));
+    const bool turns_once = std::ranges::all_of(tips, [&](const auto& x) { return x == tips[0]; });
+    return from <= end && start <= to &&
+           (tips.empty() || (turns_once && a.turn != 0 && b.turn != 0));
+  }
+  if (a.reversals > 1 || b.reversals > 1) return false;
+  if ((has_cusp(a) || has_cusp(b)) && (a.turn == 0 || b.turn == 0)) return false;
   return std::ranges::any_of(found->second, [&](const Bivariate& factor) {
     return may_vanish(factor, parameters(a), parameters(b)) &&
            (a.reversals + b.reversals < 2 || turn_back_at_once(a, b, factor));
+  });
+}
+
+/// Does an arc turn back, or the curve at an end of it?
+bool Coincidences::has_cusp(const CurveNode& arc) const {
+  const Interval part = parameters(arc);
+  return std::ranges::any_of(turning_[arc.first_segment].reversals, [&](const RealAlgebraic& t) {
+    return t >= *part.lower && t <= *part.upper;
   });
 }
 

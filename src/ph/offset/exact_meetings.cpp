@@ -83,6 +83,18 @@ bool passes_through(const RationalCurve& curve, const Interval& t, const Rationa
   return roots && has_root(*roots, s, t);
 }
 
+std::optional<RealAlgebraic> exact_place(const RationalCurve& curve, const RationalCurve& other,
+                                         const RealBall& t) {
+  const MeetingEquations equations = meeting_equations(curve, other, &curve == &other);
+  if (equations.f.is_zero() || equations.g.is_zero() ||
+      eliminant_size(equations.f, equations.g) > most_bits_of_one)
+    return std::nullopt;
+  const Polynomial roots = eliminant(equations.f, equations.g);
+  const Interval where = closed_interval(t.lower(), t.upper());
+  if (roots.is_zero() || count_real_roots(squarefree_part(roots), where) != 1) return std::nullopt;
+  return real_roots(roots, where).front().at;
+}
+
 /// Two curves, or one with itself.
 class ExactMeetings::Pair {
  public:
@@ -287,8 +299,8 @@ bool is_right_of(const LevelPoint& a, const LevelPoint& b, const PlaneVector& v)
 /// Does each of two branches cross the other one in a common point? The four halves from there on
 /// go up or down along v, without turning. Those that go one way are compared at one level, where
 /// no two meet, as parameters in both intervals have no other point in common. The branches cross
-/// if their halves follow each other in turns around the point. Both halves of a line that turns
-/// back there are one.
+/// if their halves follow each other in turns around the point. Both halves of one that goes
+/// back there along itself are one.
 bool cross_each_other(BranchAt p, BranchAt q) {
   const PlaneVector v = way_along(p, q);
   std::array<std::vector<HalfBranch>, 2> halves;  // up, down
@@ -304,7 +316,8 @@ bool cross_each_other(BranchAt p, BranchAt q) {
     };
     while (!goes_on()) t = shorter(branch->roots, t);
     const auto sign_at_end = [&](const Rational& end) { return curve.multiplier()(end).sign(); };
-    if (is_straight(curve) && sign_at_end(*t.lower) != sign_at_end(*t.upper)) return false;
+    if (sign_at_end(*t.lower) != sign_at_end(*t.upper) && goes_back_at(curve, branch->at))
+      return false;
     for (const bool is_upper : {false, true}) {
       const Rational& end = is_upper ? *t.upper : *t.lower;
       const Vector<Rational> at = point(curve, end);

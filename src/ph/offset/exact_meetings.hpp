@@ -18,6 +18,11 @@ struct PartMeetings {
 bool passes_through(const RationalCurve& curve, const Interval& t, const RationalCurve& other,
                     const RealAlgebraic& s);
 
+/// The t at which a curve meets another one, or itself: the only root of a resultant in the ball.
+/// No value where there are more of them, or the resultant is too long.
+std::optional<RealAlgebraic> exact_place(const RationalCurve& curve, const RationalCurve& other,
+                                         const RealBall& t);
+
 /// Decides by elimination where short parts meet, whatever is between them: P(s) = Q(t) are two
 /// polynomials in s and t, and all s of common points are the roots of their resultant. Where that
 /// has no root in a part, there is none, however near the curves are. Else each root s with each

@@ -63,6 +63,8 @@ std::vector<DiscTrack> tracks_of(const std::vector<RationalCurve>& curves, const
 
 }  // namespace
 
+GaugeForm::GaugeForm() : degree_(2), terms_{{1, 2, 0}, {1, 0, 2}, {-1, 0, 0}} {}
+
 GaugeForm::GaugeForm(const Gauge& gauge) : degree_(gauge.degree()) {
   std::vector<Polynomial> monomials;
   for (long i = 0; i <= degree_; ++i)
@@ -86,23 +88,32 @@ GaugeForm::GaugeForm(const Gauge& gauge) : degree_(gauge.degree()) {
   }
 }
 
-Polynomial GaugeForm::operator()(const Polynomial& x, const Polynomial& y,
-                                 const Polynomial& z) const {
-  const auto powers = [this](const Polynomial& p) {
-    std::vector<Polynomial> list{Polynomial{1}};
+template <class T>
+T GaugeForm::value(const T& one, const T& x, const T& y, const T& z) const {
+  const auto powers = [&](const T& p) {
+    std::vector<T> list{one};
     for (long k = 0; k < degree_; ++k) list.push_back(list.back() * p);
     return list;
   };
   const auto of_x = powers(x);
   const auto of_y = powers(y);
   const auto of_z = powers(z);
-  const auto at = [](const std::vector<Polynomial>& list, long k) -> const Polynomial& {
+  const auto at = [](const std::vector<T>& list, long k) -> const T& {
     return list[static_cast<std::size_t>(k)];
   };
-  Polynomial sum;
+  T sum;
   for (const auto& [c, i, j] : terms_)
-    sum += c * at(of_x, i) * at(of_y, j) * at(of_z, degree_ - i - j);
+    sum = sum + c * (at(of_x, i) * at(of_y, j) * at(of_z, degree_ - i - j));
   return sum;
+}
+
+Polynomial GaugeForm::operator()(const Polynomial& x, const Polynomial& y,
+                                 const Polynomial& z) const {
+  return value(Polynomial{1}, x, y, z);
+}
+
+Bivariate GaugeForm::operator()(const Bivariate& x, const Bivariate& y, const Bivariate& z) const {
+  return value(Bivariate({Polynomial{1}}), x, y, z);
 }
 
 GaugeCover::GaugeCover(const std::vector<RationalCurve>& curves, const Gauge& gauge,

@@ -1,4 +1,5 @@
 #pragma once
+#include "phrame/algebra/bivariate.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
 #include "phrame/ph/offset/gauge.hpp"
 
@@ -8,11 +9,14 @@ namespace phrame::inline v0 {
 /// inside of z·U, but for finitely many rays < 0, and > 0 outside, but for as many ≥ 0.
 class GaugeForm {
  public:
+  GaugeForm();  ///< that of the unit circle, x² + y² − z²
   /// Cost: the kernel of a matrix as large as there are monomials.
   explicit GaugeForm(const Gauge& gauge);
 
-  /// Of polynomials: that along curves.
+  /// @{ Of polynomials: that along curves, and that between the points of two of them.
   Polynomial operator()(const Polynomial& x, const Polynomial& y, const Polynomial& z) const;
+  Bivariate operator()(const Bivariate& x, const Bivariate& y, const Bivariate& z) const;
+  /// @}
 
  private:
   /// One of its terms, c·xⁱyʲzᵏ.
@@ -21,6 +25,9 @@ class GaugeForm {
     long i;
     long j;
   };
+  template <class T>
+  T value(const T& one, const T& x, const T& y, const T& z) const;
+
   long degree_;
   std::vector<Term> terms_;
 };
@@ -42,6 +49,7 @@ class GaugeCover {
                        const Vector<Rational>& center) const;
   /// Are all points of the box seen to be? false says nothing.
   bool covers(const PlaneBox& box) const { return discs_.covers(box); }
+  const GaugeForm& form() const { return form_; }  ///< that of the gauge
 
  private:
   std::vector<RationalCurve> curves_;

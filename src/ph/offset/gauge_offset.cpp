@@ -70,6 +70,27 @@ std::vector<RationalCurve> mitre(const PlaneCorner& corner, const PlaneDirection
   return {bezier_curve({point(a.x, a.y), tip}), bezier_curve({tip, point(b.x, b.y)})};
 }
 
+/// Half of d·U about a point, from one φ to the opposite one: with the sign 1 to the left of
+/// U(from) for d > 0, else to its right, which is ahead of a path that has U(from) to its right.
+std::vector<RationalCurve> half_around(const Gauge& gauge, const Vector<Rational>& center,
+                                       const GaugeParameter& from, const GaugeParameter& to,
+                                       const Rational& d, int sign) {
+  // Of the two φ half way on the line through both, one is ahead.
+  const auto half = [&](const Rational& share) -> GaugeParameter {
+    return {from.p + share * to.p, from.q + share * to.q};
+  };
+  const auto is_ahead = [&](const GaugeParameter& at) {
+    return cross(value(gauge, from), value(gauge, at)).sign() == sign * d.sign();
+  };
+  const GaugeParameter ahead = is_ahead(half(1)) ? half(1) : half(-1);
+  const auto& [x, y, z] = center;
+  std::vector<RationalCurve> arcs;
+  for (const auto& [a, b] : {std::pair(from, ahead), std::pair(ahead, to)})
+    arcs.push_back(*moved(Vector<Polynomial>{Polynomial{x}, {y}, {z}}, {1},
+                          vector_at(gauge, between(gauge, a, b)), d));
+  return arcs;
+}
+
 }  // namespace
 
 struct GaugeOffsets::State {
@@ -113,8 +134,7 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
       return {curve.direction()[0](t), curve.direction()[1](t)};
     };
     segments.push_back({std::nullopt, point(curve, 0), e1(0), e1(1),
-                        sign_after_zero(curve.multiplier()),
-                        places_of(odd_inside(cusps(path.segments()[k])))});
+                        sign_after_zero(curve.multiplier()), turning_places(curve.multiplier())});
     if (!parameters[k]) continue;
     segments[k].curve =
         moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);
@@ -141,24 +161,17 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
 }
 
 std::vector<RationalCurve> GaugeOffsets::end_cap(const Rational& d) const {
-  const auto& [path, is_closed, gauge, parameters] = *state_;
-  const RationalCurve& curve = *rational_curve(path.segments().back());
-  const auto [x, y, z] = point(curve, 1);
-  const GaugeParameter from = parameter_at(*parameters.back(), 1);
-  const GaugeParameter to = opposite(gauge, from);
-  // Of the two φ half way on the line through both, one is ahead.
-  const auto half = [&](const Rational& sign) -> GaugeParameter {
-    return {from.p + sign * to.p, from.q + sign * to.q};
-  };
-  const auto is_ahead = [&, &gauge = gauge](const GaugeParameter& at) {
-    return cross(value(gauge, from), value(gauge, at)).sign() == d.sign();
-  };
-  const GaugeParameter ahead = is_ahead(half(1)) ? half(1) : half(-1);
-  std::vector<RationalCurve> arcs;
-  for (const auto& [a, b] : {std::pair(from, ahead), std::pair(ahead, to)})
-    arcs.push_back(*moved(Vector<Polynomial>{Polynomial{x}, {y}, {z}}, {1},
-                          vector_at(gauge, between(gauge, a, b)), d));
-  return arcs;
+  const RationalCurve& curve = *rational_curve(state_->path.segments().back());
+  const GaugeParameter from = parameter_at(*state_->parameters.back(), 1);
+  return half_around(state_->gauge, point(curve, 1), from, opposite(state_->gauge, from), d,
+                     sign_before_one(curve.multiplier()));
+}
+
+std::vector<RationalCurve> GaugeOffsets::start_cap(const Rational& d) const {
+  const RationalCurve& curve = *rational_curve(state_->path.segments().front());
+  const GaugeParameter to = parameter_at(*state_->parameters.front(), 0);
+  return half_around(state_->gauge, point(curve, 0), opposite(state_->gauge, to), to, d,
+                     sign_after_zero(curve.multiplier()));
 }
 
 }  // namespace phrame

@@ -29,9 +29,12 @@ class PHRAME_API GaugeOffsets {
   /// before to where it is that behind the corner; `mitre` by these tangents. Throws DomainError
   /// for d = 0.
   Offset at(const Rational& d, OffsetJoin join = OffsetJoin::round) const;
-  /// The arcs of d·U about the end of the path, from d·U to the right of it around to the left.
-  /// Precondition: the last segment has an offset.
+  /// @{ The arcs of d·U about the end of the path, on from where the offset at d ends, and about
+  /// its start, up to where that starts: on the side to which the path does not go. Precondition:
+  /// the segment there has an offset.
   std::vector<RationalCurve> end_cap(const Rational& d) const;
+  std::vector<RationalCurve> start_cap(const Rational& d) const;
+  /// @}
 
  private:
   struct State;

@@ -5,17 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/along/path_length.hpp"
 #include "phrame/ph/along/segment_integral.hpp"
 #include "phrame/ph/curve/real_vector.hpp"
 #include "phrame/ph/curve/special_points.hpp"
-#include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/gauge_cover.hpp"
 #include "phrame/ph/offset/gauge_offset.hpp"
 #include "phrame/ph/offset/mitre_kites.hpp"
 #include "phrame/ph/offset/offset_meeting.hpp"
+#include "phrame/ph/offset/turning_place.hpp"
 
 namespace phrame::inline v0 {
 namespace {
@@ -26,14 +28,9 @@ std::vector<RationalCurve> curves_of(const Path& path) {
   return curves;
 }
 
-void require_no_turning_back(const std::vector<RationalCurve>& curves) {
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    const auto turns = odd_inside(real_roots(curves[k].multiplier(), open_interval(0, 1)));
-    if (!turns.empty())
-      throw DomainError(
-          fmt::format("trimmed_offset: the path turns back at a cusp, in segment {} at {}", k + 1,
-                      place_text("t", turns.front().at)));
-  }
+/// That of r′·e₁; 0 where the curve turns back.
+int sign_along(const RationalCurve& curve) {
+  return turning_places(curve.multiplier()).empty() ? sign_after_zero(curve.multiplier()) : 0;
 }
 
 /// All boundary curves, those of the offset first, and the signs that BoundaryCurves has of them.
@@ -42,40 +39,38 @@ struct Stroke {
   std::vector<int> signs;
 };
 
-Stroke stroke_of(const Path& path, const GaugeOffsets& offsets, const Gauge& gauge,
-                 const Offset& own) {
+Stroke stroke_of(const std::vector<RationalCurve>& path, bool is_closed,
+                 const GaugeOffsets& offsets, const Offset& own) {
   Stroke made;
   OffsetBranches& stroke = made.branches;
-  const auto add = [&](const Offset& offset, const Path& of) {
+  const auto add = [&](const Offset& offset) {
     const std::size_t first = stroke.curves.size();
     const OffsetBranches more = branches_of(offset);
     for (std::size_t k = 0; k < more.curves.size(); ++k) {
       stroke.curves.push_back(more.curves[k]);
       stroke.behind.push_back(more.behind[k] == no_segment ? no_segment : first + more.behind[k]);
+      stroke.turns.push_back(more.turns[k]);
       const OffsetPiece& piece = offset.pieces[k];
-      const RationalCurve& base = *rational_curve(of.segments()[piece.segment]);
-      made.signs.push_back(piece.is_join ? 0 : sign_after_zero(base.multiplier()));
+      made.signs.push_back(piece.is_join ? 0 : sign_along(path[piece.segment]));
     }
   };
-  add(own, path);
-  if (path.is_closed()) {
-    add(offsets.at(-own.distance), path);
-    return made;
-  }
-  const Path backwards = reversed(path);
-  const GaugeOffsets back(backwards, gauge);
   const auto add_cap = [&](const std::vector<RationalCurve>& cap) {
-    stroke.behind.back() = stroke.curves.size();
     for (const RationalCurve& arc : cap) {
       stroke.curves.push_back(arc);
       stroke.behind.push_back(stroke.curves.size());
+      stroke.turns.emplace_back();
       made.signs.push_back(0);
     }
   };
-  add_cap(offsets.end_cap(own.distance));
-  add(back.at(own.distance), backwards);
-  add_cap(back.end_cap(own.distance));
-  stroke.behind.back() = 0;
+  add(own);
+  if (!is_closed && !own.pieces.empty()) {
+    stroke.behind.back() = stroke.curves.size();
+    add_cap(offsets.end_cap(own.distance));
+    stroke.behind.back() = no_segment;
+    add_cap(offsets.start_cap(own.distance));
+    stroke.behind.back() = 0;
+  }
+  add(offsets.at(-own.distance));
   return made;
 }
 
@@ -90,10 +85,9 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
         "is not known",
         offsets.none().front().segment + 1));
   const std::vector<RationalCurve> along = curves_of(path);
-  require_no_turning_back(along);
   TrimmedOffset result{offsets.at(d, join == OffsetJoin::mitre ? join : OffsetJoin::round), {}, {}};
   const auto& pieces = result.offset.pieces;
-  const Stroke stroke = stroke_of(path, offsets, gauge, result.offset);
+  const Stroke stroke = stroke_of(along, path.is_closed(), offsets, result.offset);
   const GaugeCover cover(along, gauge, d);
   const MitreKites kites(result.offset, [&](std::size_t k) { return point(along[k], 0); });
   const auto center_around = [&](std::size_t piece, const Rational& t) {
@@ -102,7 +96,8 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
     return of.is_join ? cover.center_around(at)
                       : cover.center_around(at, of.segment, double_zero(t));
   };
-  BoundaryCurves curves{stroke.branches, pieces.size(), {}};
+  BoundaryCurves curves{
+      stroke.branches, pieces.size(), {}, events_at_turns(along, result.offset, cover.form())};
   curves.centers.resize(stroke.branches.curves.size());
   curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return cover.covers(box); };
@@ -113,6 +108,11 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
     const auto center = center_around(piece, (from + to) / 2);
     return center && cover.is_nearer_along(pieces[piece].curve, from, to, *center);
   };
+  if (!std::ranges::all_of(along, sign_along))  // then all go along e₁
+    curves.is_backward = [&](std::size_t piece, const Rational& t) {
+      return pieces[piece].curve.multiplier()(t).sign() ==
+             -sign_after_zero(along.front().multiplier());
+    };
   TrimmedCurves left = trimmed(curves, "trimmed_offset");
   result.branches = std::move(left.branches);
   result.undecided = std::move(left.undecided);
@@ -127,7 +127,8 @@ BranchMeasure measure(const TrimmedOffset& trimmed, const TrimmedBranch& branch)
     const RationalCurve& curve = trimmed.offset.pieces[part.piece].curve;
     const PathLength length{Path(segment_of(curve))};
     const auto between = [&](const auto& f) { return cached(f(part.to) + -f(part.from)); };
-    lengths.push_back(between([&](const Real& t) { return length.value(Place(0, t)); }));
+    lengths.push_back(Real(Rational(way_along(part))) *
+                      between([&](const Real& t) { return length.value(Place(0, t)); }));
     const auto& [x, y, z] = curve.numerator();
     const SegmentIntegral area{TaylorIntegral(
         {Rational(1, 2) * (x * differentiate(y) - y * differentiate(x)), pow(curve.weight(), 2)})};

@@ -7,8 +7,7 @@ namespace phrame::inline v0 {
 /// The offset of a path under a gauge without all points that are nearer to any point of the path
 /// than |d| in its norm, |v| = the least c ≥ 0 with v in c·U and its inside: as that of a PH path
 /// with the Euclidean one, which it is for the unit circle. Throws DomainError as GaugeOffsets, for
-/// a path of which a segment has no rational offset, and for one that turns back at a cusp;
-/// Undecided as the other one.
+/// a path of which a segment has no rational offset; Undecided as the other one.
 TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rational& d,
                              OffsetJoin join = OffsetJoin::round);
 

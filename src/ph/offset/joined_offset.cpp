@@ -55,12 +55,6 @@ class OffsetJoiner {
 
 }  // namespace
 
-std::vector<RealAlgebraic> places_of(const std::vector<RealRoot>& roots) {
-  std::vector<RealAlgebraic> places;
-  for (const RealRoot& root : roots) places.push_back(root.at);
-  return places;
-}
-
 RationalCurve with_direction(const RationalCurve& curve, const PlaneDirection& e1) {
   const Vector<Rational> h = evaluate(curve.direction(), 0);
   return h[0] * e1.x + h[1] * e1.y > 0 ? curve : curve.turned_over();

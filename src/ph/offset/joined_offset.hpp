@@ -16,9 +16,6 @@ struct OffsetSegment {
   std::vector<RealAlgebraic> turns;  ///< as OffsetPiece has them
 };
 
-/// Where roots are, without their orders.
-std::vector<RealAlgebraic> places_of(const std::vector<RealRoot>& roots);
-
 /// The curve with H along e₁, which it is parallel to at its start.
 RationalCurve with_direction(const RationalCurve& curve, const PlaneDirection& e1);
 

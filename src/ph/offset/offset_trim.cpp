@@ -14,20 +14,18 @@
 #include "phrame/ph/offset/offset_trim.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "phrame/algebra/eliminant.hpp"
 #include "phrame/ph/curve/end_point.hpp"
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
-#include "phrame/ph/offset/coincidence.hpp"
 #include "phrame/ph/offset/disc_cover.hpp"
 #include "phrame/ph/offset/mitre_kites.hpp"
 #include "phrame/ph/offset/offset_join.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 #include "phrame/ph/offset/shadow.hpp"
 #include "phrame/ph/offset/turning_parts.hpp"
+#include "phrame/ph/offset/turning_place.hpp"
 #include "phrame/ph/offset/two_sides.hpp"
 
 namespace phrame::inline v0 {
@@ -126,60 +124,12 @@ class StrokeMaker {
   Stroke stroke_;
 };
 
-/// A line is not cut where it is as far as |d| from the line of a turning place: what of the offset
-/// of that ends there does so where both coincide.
-bool is_parallel_at(const RationalCurve& curve, const Curve& of, const Rational& d) {
-  const PlaneTangent tangent = plane_tangent(of);
-  const Vector<Rational> gap = point(curve, 0) - of.start();
-  const PlaneDirection n = right_normal(direction(tangent, 0));
-  const auto across = [&](const Vector<Rational>& v) -> Rational {
-    return n.x * v[0] + n.y * v[1];
-  };
-  return tangent.turn.is_zero() && is_straight(curve) &&
-         across(evaluate(curve.direction(), 0)) == 0 && abs(across(gap)) == abs(d);
-}
-
-/// A polynomial in s that is 0 where (X, Y)/W is at the distance |d| from a point of the path at t;
-/// 0 where that is so everywhere.
-Polynomial at_distance(const RationalCurve& curve, const Curve& of, const RealAlgebraic& t,
-                       const Rational& d) {
-  const auto& [X, Y, Z] = curve.numerator();
-  const Polynomial& W = curve.weight();
-  const auto& [x, y, w] = base_of(of);
-  const std::array<std::pair<Polynomial, Polynomial>, 4> products{
-      std::pair(X * X + Y * Y - d * d * W * W, w * w),
-      {Rational(-2) * X * W, x * w},
-      {Rational(-2) * Y * W, y * w},
-      {W * W, x * x + y * y}};
-  const Polynomial& p = t.polynomial();
-  std::vector<Polynomial> rows(static_cast<std::size_t>(p.degree()));
-  std::vector<Polynomial> minimal;
-  for (const auto& [of_s, of_t] : products) {
-    const Polynomial rest = of_t % p;
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      rows[k] += rest.coefficient(static_cast<long>(k)) * of_s;
-  }
-  const Bivariate gap(rows);
-  if (gap.degree() <= 0) return gap.coefficient(0);
-  for (const Rational& c : p.coefficients()) minimal.push_back(Polynomial{c});
-  return eliminant(gap, Bivariate(minimal));
-}
-
-/// Where the path turns back, points to all sides ahead of it are at the distance |d| from that
-/// place: where the offset may end on the circle about it.
-std::vector<BoundaryEvent> events_at_turns(const PhPath& path, const Offset& offset) {
-  std::vector<BoundaryEvent> events;
-  for (const Curve& of : path.segments())
-    for (const RealRoot& turn : odd_inside(cusps(of)))
-      for (std::size_t k = 0; k < offset.pieces.size(); ++k) {
-        const RationalCurve& curve = offset.pieces[k].curve;
-        if (is_parallel_at(curve, of, offset.distance)) continue;
-        const Polynomial gap = at_distance(curve, of, turn.at, offset.distance);
-        if (gap.is_zero()) continue;
-        for (const RealRoot& root : real_roots(gap, closed_interval(0, 1)))
-          events.push_back({k, root.at});
-      }
-  return events;
+/// Its segments that turn back.
+std::vector<RationalCurve> turning_curves(const PhPath& path) {
+  std::vector<RationalCurve> curves;
+  for (const Curve& curve : path.segments())
+    if (constant_sign(curve) == 0) curves.push_back(PhSegment(curve).by_positions());
+  return curves;
 }
 
 /// Of round or mitred offsets.
@@ -196,7 +146,7 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     return of.is_join ? discs.disc_around(at) : discs.disc_around(at, of.segment, double_zero(t));
   };
   BoundaryCurves curves{stroke.branches, pieces.size(), stroke.centers,
-                        events_at_turns(path, result.offset)};
+                        events_at_turns(turning_curves(path), result.offset, GaugeForm())};
   curves.signs = stroke.signs;
   curves.covers = [&](const PlaneBox& box) { return discs.covers(box); };
   curves.are_apart = [&](const CurveNode& own, const CurveNode& other) {

@@ -31,7 +31,7 @@ PlaneTangent plane_tangent(const Curve& curve) {
 }
 
 int constant_sign(const Curve& curve) {
-  return odd_inside(cusps(curve)).empty() ? sign_after_zero(curve.multiplier()) : 0;
+  return turning_places(curve.multiplier()).empty() ? sign_after_zero(curve.multiplier()) : 0;
 }
 
 PlaneDirection direction(const PlaneTangent& tangent, const Rational& t) {

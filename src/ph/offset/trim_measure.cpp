@@ -76,8 +76,6 @@ struct PartEnds {
       bits *= 4;
     } while (from == to && bits < 10'000);
   }
-  /// 1 where the parameter grows along it, else −1.
-  int way() const { return from < to ? 1 : -1; }
   /// The sign of p on it, where that does not change.
   int sign_of(const Polynomial& p) const {
     Rational at = (from + to) / 2;
@@ -92,7 +90,7 @@ PartMeasure measure_line(const RationalCurve& line, const OffsetPart& part) {
   const Vector<Rational> way = point(line, 1) - start;
   const Real share = part.to + -part.from;
   const Real size = square_root_of(Rational(way[0] * way[0] + way[1] * way[1]));
-  return {Real(Rational(PartEnds(part).way())) * size * share,
+  return {Real(Rational(way_along(part))) * size * share,
           Real(Rational((start[0] * way[1] - start[1] * way[0]) / 2)) * share};
 }
 
@@ -134,11 +132,16 @@ PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetP
   const RationalFunction outer(half * (r[0] * y - r[1] * x), w * piece.curve.weight());
   const PartEnds ends(part);
   const Rational signed_d = ends.sign_of(piece.curve.multiplier()) * d;
-  return {Real(Rational(ends.way())) * (length + Real(signed_d) * angle),
+  return {Real(Rational(way_along(part))) * (length + Real(signed_d) * angle),
           grown(inner) + change(outer) + Real(signed_d) * length + Real(half * d * d) * angle};
 }
 
 }  // namespace
+
+int way_along(const OffsetPart& part) {
+  const PartEnds ends(part);
+  return ends.from < ends.to ? 1 : -1;
+}
 
 BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
                       const TrimmedBranch& branch) {

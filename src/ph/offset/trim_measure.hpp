@@ -11,6 +11,8 @@ struct BranchMeasure {
   Real length;
   std::optional<Real> area;
 };
+/// 1 where the parameter grows along a part, else −1.
+int way_along(const OffsetPart& part);
 /// Precondition: the branch is one of that offset of the path.
 BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
                       const TrimmedBranch& branch);

@@ -714,6 +714,97 @@ TEST_CASE("offset: a line touches the end of one that turns back there") {
   for (const KnownMeeting& place : meeting.touching) CHECK_FALSE(place.crosses);
 }
 
+/// From there along the Tschirnhausen cubic by v = h(t), r' = (1 - v^2, 2v)h'.
+Curve along_cubic(const Polynomial& h, const Vector<Rational>& from = {0, 0, 0}) {
+  return Curve({{1}, {}, {}, h}, differentiate(h), from);
+}
+
+/// By v = h(t), round far below and back, and by v = k(t) along the same cubic.
+PhPath twice_along_cubic(const Polynomial& h, const Polynomial& k) {
+  const auto at = [](const Rational& v) -> Vector<Rational> {
+    return {v - v * v * v / 3, v * v, 0};
+  };
+  PhPath path(along_cubic(h, at(h(0))));
+  const Vector<Rational> end = at(h(1));
+  const Vector<Rational> start = at(k(0));
+  const PhPath way =
+      lines({end, {end[0], 9, 0}, {-9, 9, 0}, {-9, -5, 0}, {start[0], -5, 0}, start});
+  for (const Curve& edge : way.segments()) path.append(edge);
+  path.append(along_cubic(k, start));
+  return path;
+}
+
+// v = (t^2 + t)/2 and t^3 - 1/2 are both from 0 to 1/2: up to t = (sqrt 5 - 1)/2 and from 2^(-1/3).
+// At d = -1 the offset of the cubic has a cusp at v = sqrt(sqrt 2 - 1).
+TEST_CASE("offset: curves coincide that go through their points more than once") {
+  const PhPath path =
+      twice_along_cubic({0, Rational(1, 2), Rational(1, 2)}, {Rational(-1, 2), 0, 0, 1});
+  for (const Rational& d : {Rational(1, 5), Rational(-1)}) {
+    const SelfIntersections found = self_intersections(offset(path, d));
+    CHECK(found.is_complete());
+    REQUIRE(found.coincident.size() == 1);
+    const CoincidentParts& part = found.coincident[0];
+    CHECK(part.first_from == Rational(0));
+    CHECK(part.first_to.polynomial() == Polynomial{-1, 1, 1});
+    CHECK(part.second_from.polynomial() == Polynomial{-1, 0, 0, 2});
+    CHECK(part.second_to == Rational(1));
+    CHECK(part.is_alike);
+  }
+  // t^3 and t^5 through the cusp.
+  const SelfIntersections whole =
+      self_intersections(offset(twice_along_cubic({0, 0, 0, 1}, {0, 0, 0, 0, 0, 1}), -1));
+  CHECK(whole.is_complete());
+  REQUIRE(whole.coincident.size() == 1);
+  CHECK(whole.coincident[0].first_to == Rational(1));
+  CHECK(whole.coincident[0].second_to == Rational(1));
+}
+
+// v = 15t/2 - 18t^2 + 12t^3 goes from 0 on to 0.98, back to 0.52 and on to 3/2. Both ways are
+// legs of one curve, and with v = (1 + 2t)/4 there and back on the first of them.
+TEST_CASE("offset: a curve that goes to and fro coincides with itself leg by leg") {
+  const Polynomial h{0, Rational(15, 2), -18, 12};
+  const SelfIntersections alone =
+      self_intersections(offset(PhPath(along_cubic(h)), Rational(1, 5)));
+  CHECK(alone.is_complete());
+  CHECK(alone.found.empty());
+  REQUIRE(alone.coincident.size() == 3);
+  const auto turn = [](const RealAlgebraic& t) { return t.polynomial() == Polynomial{5, -24, 24}; };
+  for (const CoincidentParts& x : alone.coincident) CHECK((turn(x.first_to) && x.is_alike));
+  CHECK(turn(alone.coincident[2].first_from));
+  // The first leg is where the third one goes by v = h at the second place where it turns.
+  const auto approximately = [](const RealAlgebraic& t) { return approximate(enclose(t, 64)); };
+  const double root = 1 / std::sqrt(24.0);
+  CHECK(std::abs(approximately(alone.coincident[1].first_from) - (0.5 - 2 * root)) < 1e-15);
+  CHECK(std::abs(approximately(alone.coincident[1].second_to) - (0.5 + 2 * root)) < 1e-15);
+  const SelfIntersections both = self_intersections(
+      offset(twice_along_cubic(h, {Rational(1, 4), Rational(1, 2)}), Rational(1, 5)));
+  CHECK(both.is_complete());
+  CHECK(both.coincident.size() == 6);
+}
+
+// v = -3 + 16t - 16t^2 up to 1 and back, and v = 3 - 10t + 10t^2 down to 1/2 and back: both are on
+// what is between 1/2 and 1, on which none ends. The right of one is the left of the other one.
+TEST_CASE("offset: curves coincide between places where they turn back") {
+  const Curve first = along_cubic({-3, 16, -16}, {6, 9, 0});
+  const Curve second = along_cubic({3, -10, 10}, {-6, 9, 0});
+  const OffsetBranches both{{offset(first, Rational(1, 5)), offset(second, Rational(-1, 5))},
+                            {no_segment, no_segment}};
+  const SelfIntersections found =
+      self_intersections(both, plane_series(both.curves, both.behind), {});
+  CHECK(found.is_complete());
+  long count = 0;
+  for (const CoincidentParts& x : found.coincident) {
+    if (x.first_segment == x.second_segment) continue;
+    ++count;
+    const RealAlgebraic half(Rational(1, 2));
+    CHECK((x.first_from == half ? x.first_to : x.first_from).polynomial() ==
+          Polynomial{7, -32, 32});
+    CHECK((x.second_from == half ? x.second_to : x.second_from).polynomial() ==
+          Polynomial{1, -5, 5});
+  }
+  CHECK(count == 4);
+}
+
 // The weight of the offset, 1 - 6t + 18t^2, has a negative Bernstein coefficient, and there is a
 // cusp in both parts that coincide.
 TEST_CASE("offset: parts that coincide where no box is known, and through a cusp") {

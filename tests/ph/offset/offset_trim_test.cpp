@@ -10,6 +10,7 @@
 #include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/disc_cover.hpp"
 #include "support/paths.hpp"
 #include "support/random.hpp"
 #include "support/trim_proof.hpp"
@@ -777,6 +778,53 @@ TEST_CASE("offset_trim: law: of a line that turns back what is left is that of i
   });
 }
 
+// The same points, however they are gone through, have the same offset. v goes from 0 to
+// h(1) = 3/2 in three legs, which for a = 24 are all as long as that.
+TEST_CASE("offset_trim: law: of a curve that goes to and fro what is left is that of its points") {
+  const auto along_cubic = [](const Polynomial& v) {
+    return PhPath(Curve({{1}, {}, {}, v}, differentiate(v)));
+  };
+  const PhPath plain = along_cubic({0, Rational(3, 2)});
+  for (const Rational& a : {Rational(20), Rational(24)})
+    for (const Rational& d : {Rational(1, 5), Rational(-1, 3), Rational(-3, 2)}) {
+      CAPTURE(a);
+      CAPTURE(d);
+      const PhPath path = along_cubic({0, Rational(3, 2) + a / 2, -a * Rational(3, 2), a});
+      const TrimmedOffset found = trimmed_offset(path, d);
+      const TrimmedOffset expected = trimmed_offset(plain, d);
+      CHECK(found.undecided.empty());
+      REQUIRE(found.branches.size() == expected.branches.size());
+      for (std::size_t k = 0; k < found.branches.size(); ++k) {
+        const double length = approximate(measure(path, found, found.branches[k]).length);
+        const double other = approximate(measure(plain, expected, expected.branches[k]).length);
+        CHECK(std::abs(length - other) < 1e-12);
+      }
+    }
+}
+
+// The offset of the line x = -1/5 is x = 0, which those of a cubic and of its mirror image cross in
+// one point, where x = v - v^3/3 - 1/3 + 2v/(5 + 5v^2) is 0. The cubic's is nowhere left there.
+TEST_CASE("offset_trim: three branches through one irrational point") {
+  const Rational third(1, 3);
+  const Curve cubic({{1}, {}, {}, {0, 1}}, {1}, {-third, 2, 0});
+  const Curve mirrored({{1}, {}, {}, {-1, 1}}, {1}, {-third, 3, 0});
+  PhPath path =
+      lines({{Rational(-1, 5), -5, 0}, {Rational(-1, 5), Rational(197, 100), 0}, cubic.start()});
+  path.append(cubic);
+  append_lines(path, {{third, 6, 0}, {-third, 6, 0}, mirrored.start()});
+  path.append(mirrored);
+  const TrimmedOffset found = trimmed_offset(path, Rational(1, 5));
+  CHECK(found.undecided.empty());
+  REQUIRE(found.branches.size() == 2);
+  const std::vector<OffsetPart>& parts = found.branches[0].parts;
+  REQUIRE(parts.size() == 2);
+  double v = 0;
+  for (long k = 0; k < 200; ++k) v -= 0.5 * (v - v * v * v / 3 - 1.0 / 3 + 0.4 * v / (1 + v * v));
+  const double y = 2 + v * v - 0.2 * (1 - v * v) / (1 + v * v);
+  CHECK(std::abs(approximate(parts[0].to) - (y + 5) / 6.97) < 1e-14);
+  CHECK(std::abs(approximate(parts[1].from) - (1 - v)) < 1e-14);
+}
+
 TEST_CASE("offset_trim: rooms with walls that go to and fro") {
   // From (4, 3) to (0, 3), turning back at x = 2 -+ 0.54, or at 2 -+ 4.66, beyond the corners,
   // where the offset below the wall is left, too, at more than 1/2 from the other walls.
@@ -850,6 +898,38 @@ TEST_CASE("offset_trim: law: paths that turn back at cusps") {
     branches += static_cast<long>(found.branches.size());
   });
   CHECK(branches >= 3);
+}
+
+TEST_CASE("offset_trim: a part shorter than 2^-64 has a length") {
+  const PhPath line = lines({{0, 0, 0}, {3, 0, 0}});
+  const Rational width = power_of_two(-200);
+  const Rational third(1, 3);
+  const TrimmedOffset found{offset(line, 1), {{{{0, third, third + width}}, false}}, {}};
+  const Real length = measure(line, found, found.branches[0]).length;
+  CHECK(length.exact() == Rational(3 * width));
+}
+
+// 1 + dκ = 1 - 1/(1 + v^2)^2 with v = t - 1/2: Δs + d·Δφ = 13/12 - 2 atan(1/2).
+TEST_CASE("offset_trim: the length of a part in the middle of which the offset stands still") {
+  const PhPath path(Curve({{1}, {}, {}, {Rational(-1, 2), 1}}));
+  const TrimmedOffset found = trimmed_offset(path, Rational(-1, 2));
+  REQUIRE(found.branches.size() == 1);
+  CHECK(found.branches[0].parts.size() == 1);
+  const double length = approximate(measure(path, found, found.branches[0]).length);
+  CHECK(std::abs(length - (13.0 / 12 - 2 * std::atan(0.5))) < 1e-14);
+}
+
+// Bernstein coefficients of 1 and -1 in turns: powers of t up to 3^100 cancel.
+TEST_CASE(
+    "offset_trim: discs along a curve of high degree are where its Bernstein coefficients are") {
+  std::vector<Rational> coefficients;
+  for (long k = 0; k <= 100; ++k) coefficients.emplace_back(k % 2 == 0 ? 1 : -1);
+  const DiscCover discs({{from_bernstein(coefficients), Polynomial{0, 1}, {1}, {1}}});
+  const auto any_near = [&](const Vector<Rational>& at) {
+    return discs.any_near(at, [](std::size_t) { return true; });
+  };
+  CHECK(any_near({0, Rational(1, 2), 0}));
+  CHECK_FALSE(any_near({3, Rational(1, 2), 0}));
 }
 
 TEST_CASE("offset_trim: what cannot be is refused") {
