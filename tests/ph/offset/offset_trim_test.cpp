@@ -608,7 +608,7 @@ TEST_CASE(
 TEST_CASE("offset_trim: law: areas and lengths are those of polygons through points") {
   long samples = 0;
   long undecided = 0;
-  for_samples(3, [&](Random& random) {
+  for_samples(2, [&](Random& random) {
     const PhPath path = random_path(random, 2);
     const TrimmedOffset found =
         trimmed_offset(path, Rational(random.integer(0, 1) == 0 ? -5 : 5, random.integer(1, 4)));
@@ -763,7 +763,7 @@ Polynomial turning_rate(Random& random, long degree) {
 // The offset of a line that goes to and fro is that of all its points; so are those of rectangles
 // with such a side, however far it goes beyond the corners.
 TEST_CASE("offset_trim: law: of a line that turns back what is left is that of its hull") {
-  for_samples(12, [](Random& random) {
+  for_samples(6, [](Random& random) {
     const Polynomial f = turning_rate(random, random.integer(1, 6));
     CAPTURE(f);
     const PhPath line(Curve({{2}, {}, {}, {1}}, f));
@@ -830,7 +830,7 @@ TEST_CASE("offset_trim: a path that turns back at a short fraction") {
 // Cusps at which a path turns back, with an event on the half-circle about each.
 TEST_CASE("offset_trim: law: paths that turn back at cusps") {
   long branches = 0;
-  for_samples(6, [&](Random& random) {
+  for_samples(3, [&](Random& random) {
     const Curve curve = tame_curve(random);
     const Polynomial f = turning_rate(random, random.integer(1, 2));
     PhPath path(Curve(curve.preimage(), f));
