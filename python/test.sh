@@ -10,7 +10,12 @@ if [[ ! -e $module || ! -x $python ]]; then
   exit 77
 fi
 export PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 PHRAME_PROGRAM=$build/bin/phrame
-"$python" -m pytest -q -p no:cacheprovider python/tests
+run_tests() { "$python" -m pytest -q -p no:cacheprovider "$@" python/tests; }
+# What the sides of an assertion were is worth its time only where one fails: then it is told by running them again.
+run_tests --assert=plain || {
+  run_tests
+  exit 1
+}
 rm -rf "$build/python-examples"
 "$python" python/examples_of_documents.py "$build/python-examples"
 "$python" -m mypy --strict --cache-dir "$build/mypy" "$build/python/phrame" python/examples "$build/python-examples"

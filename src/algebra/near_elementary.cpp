@@ -16,7 +16,7 @@ NearNumber quotient_of(long n, long d) { return near_number(Rational(n, d)); }
 
 /// cos and sin of kπ/32, and the coefficients of their Taylor polynomials, by the square of the
 /// angle.
-struct Turns {
+struct TurnTable {
   static constexpr long steps = 64;  // of a whole turn
   static constexpr std::size_t terms = 8;
   NearNumber step;  ///< π/32
@@ -24,7 +24,7 @@ struct Turns {
   std::array<NearNumber, terms> cos;  ///< (−1)ᵏ/(2k)!
   std::array<NearNumber, terms> sin;  ///< (−1)ᵏ/(2k + 1)!
 
-  Turns() : step(near_number(times_power_of_two(pi(table_bits), -5))) {
+  TurnTable() : step(near_number(times_power_of_two(pi(table_bits), -5))) {
     const RealBall angle = times_power_of_two(pi(table_bits), -5);
     for (long k = 0; k < steps; ++k) {
       const CosSin turn =
@@ -39,8 +39,8 @@ struct Turns {
       sin[k] = quotient_of(1, factorial * (twice + 1));
     }
   }
-  static const Turns& known() {
-    static const Turns turns;
+  static const TurnTable& known() {
+    static const TurnTable turns;
     return turns;
   }
 };
@@ -133,9 +133,9 @@ RealBall ball_of(const NearNumber& x) {
 // < 2^−113, and terms from r⁸/8! < 2^−49 on are sums of doubles.
 NearCosSin cos_sin(const NearNumber& angle) {
   if (!(std::abs(angle.value.high) <= 0x1p20)) return {{{}, infinite}, {{}, infinite}};
-  const Turns& turns = Turns::known();
+  const TurnTable& turns = TurnTable::known();
   const auto [k, r] = by_steps(angle, turns.step);
-  const NearCosSin& at = turns.at[static_cast<std::size_t>(k & (Turns::steps - 1))];
+  const NearCosSin& at = turns.at[static_cast<std::size_t>(k & (TurnTable::steps - 1))];
   const NearNumber square = r * r;
   constexpr std::size_t rough = 4;
   NearNumber cos = taylor(turns.cos, square, rough);

@@ -28,22 +28,22 @@ namespace {
 
 constexpr double rho = 1.75;
 /// Of the rule, which leaves out some 2^−103 of M.
-constexpr std::size_t points = 2 * near_gauss_rule.size();
+constexpr std::size_t rule_points = 2 * near_gauss_rule.size();
 constexpr double pair_step = 0x1p-101;  ///< a sum after a product, of pairs of doubles
 constexpr double least_accuracy = 0x1p-88;
 constexpr std::size_t most_parts = 64;
-constexpr std::size_t most_degree = 16;
+constexpr std::size_t most_taylor = 16;
 
 /// In pairs of doubles: its points and weights are off by less than 2^−104.
 struct NearRule {
-  std::array<double, points> high;
-  std::array<double, points> low;
-  std::array<double, points> weight_high;
-  std::array<double, points> weight_low;
+  std::array<double, rule_points> high;
+  std::array<double, rule_points> low;
+  std::array<double, rule_points> weight_high;
+  std::array<double, rule_points> weight_low;
 
   NearRule() {
-    constexpr std::size_t half = points / 2;
-    for (std::size_t k = 0; k < points; ++k) {
+    constexpr std::size_t half = rule_points / 2;
+    for (std::size_t k = 0; k < rule_points; ++k) {
       const bool is_right = k >= half;
       const NearGaussPoint& at = near_gauss_rule[is_right ? k - half : half - 1 - k];
       high[k] = is_right ? at.high : -at.high;
@@ -107,8 +107,8 @@ struct Part {
 
 /// Pairs, as many as T has, from number k on.
 template <class T>
-[[gnu::always_inline]] inline SumOfTwo<T> load(const std::array<double, points>& high,
-                                               const std::array<double, points>& low,
+[[gnu::always_inline]] inline SumOfTwo<T> load(const std::array<double, rule_points>& high,
+                                               const std::array<double, rule_points>& low,
                                                std::size_t k) {
   SumOfTwo<T> loaded;
   std::memcpy(&loaded.high, high.data() + k, sizeof loaded.high);
@@ -137,7 +137,7 @@ struct Spread {
 
 /// Of c, with a degree up to 16: what is rounded is below 2^−44 of Σ |cₖ|·(|z| + r)ᵏ.
 Spread spread(const std::vector<DoubleDouble>& c, const std::complex<double>& z, double r) {
-  std::array<std::complex<double>, most_degree + 1> taylor;
+  std::array<std::complex<double>, most_taylor + 1> taylor;
   const std::size_t n = c.size();
   const double x = z.real();
   const double y = z.imag();
@@ -245,7 +245,7 @@ inline void SumUp::run() const {
   SumOfTwo<T> sum{};
   T size{};
   T error{};
-  for (std::size_t k = 0; k < points; k += lanes<T>) {
+  for (std::size_t k = 0; k < rule_points; k += lanes<T>) {
     const SumOfTwo<T> x = load<T>(rule.high, rule.low, k);
     SumOfTwo<T> t = two_sum(T{} + part.middle, x.high * part.half);
     t = normalized(SumOfTwo<T>{t.high, t.low + x.low * part.half});
@@ -281,7 +281,7 @@ Sums integral_on(const PairQuotient& f, const Part& part, double greatest) {
   constexpr double left_out = 4.02 / (1 - 1 / (rho * rho));
   // Less than 60 roundings are in what is summed.
   sums.integral.error +=
-      60 * pair_step * sums.size + left_out * greatest * std::pow(rho, -2.0 * points);
+      60 * pair_step * sums.size + left_out * greatest * std::pow(rho, -2.0 * rule_points);
   const DoubleDouble& sum = sums.integral.value;
   const double by = f.denominator.coefficients.front().high < 0 ? -part.half : part.half;
   return {{{sum.high * by, sum.low * by}, sums.integral.error * part.half}, sums.size * part.half};
@@ -326,7 +326,7 @@ std::optional<RealBall> near_integral(const UnitQuotient& given, const PairQuoti
 
 std::optional<RealBall> near_integral(const UnitQuotient& f) {
   for (const IntegerPolynomial* p : {&f.numerator, &f.denominator, &f.radicand})
-    if (fmpz_poly_length(p->get()) > static_cast<long>(most_degree) + 1 ||
+    if (fmpz_poly_length(p->get()) > static_cast<long>(most_taylor) + 1 ||
         fmpz_poly_is_zero(p->get()) != 0)
       return std::nullopt;
   return rounding_to_nearest([&]() -> std::optional<RealBall> {

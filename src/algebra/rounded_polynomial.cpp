@@ -19,7 +19,7 @@
 namespace phrame::inline v0 {
 namespace {
 
-constexpr long most_steps = 64;
+constexpr long most_horner_steps = 64;
 constexpr double largest_t = 2;
 constexpr double largest_sum = 0x1p900;
 constexpr double least_sum = 0x1p-800;
@@ -34,7 +34,7 @@ DoubleDouble as_two_doubles(const Rational& c) {
 }  // namespace
 
 RoundedPolynomial::RoundedPolynomial(Polynomial p) : exact_(std::move(p)) {
-  if (exact_.degree() > most_steps) return;
+  if (exact_.degree() > most_horner_steps) return;
   for (long k = exact_.degree(); k >= 0; --k)
     coefficients_.push_back(as_two_doubles(exact_.coefficient(k)));
 }

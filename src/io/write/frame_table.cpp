@@ -35,8 +35,8 @@ void append_csv(std::string& text, const std::vector<double>& row) {
 std::string npy_header(const std::vector<std::string>& columns, std::size_t rows) {
   std::string header = fmt::format(
       "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns.size());
-  constexpr std::size_t preamble = 10;  // magic, version, length of the header
-  header.append(63 - (preamble + header.size()) % 64, ' ');
+  constexpr std::size_t before = 10;  // magic, version, length of the header
+  header.append(63 - (before + header.size()) % 64, ' ');
   header += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
   bytes += static_cast<char>(header.size() & 0xFFU);

@@ -162,7 +162,7 @@ std::array<RealBall, 4> quaternion_of(const Frame<Real>& frame, long bits) {
 }
 
 /// θ + start, where it is measured from the Euler–Rodrigues frame.
-TwicePhi theta_of(const PathAngle& angle, const StartAngle& start) {
+TwicePhi rotation_theta(const PathAngle& angle, const StartAngle& start) {
   return from_start(
       [angle](double t, long bits) {
         return angle.enclose(locate(angle.path(), exact_rational(t)), bits);
@@ -174,7 +174,7 @@ TwicePhi theta_of(const PathAngle& angle, const StartAngle& start) {
 class PathRotation {
  public:
   PathRotation(const PathAngle& angle, const StartAngle& start, const DoubleShape& shape)
-      : angle_(angle), start_(start), theta_(theta_of(angle, start)), shape_(shape) {}
+      : angle_(angle), start_(start), theta_(rotation_theta(angle, start)), shape_(shape) {}
 
   std::optional<PolynomialPiece> piece(std::size_t k, double low, double high) {
     const auto joint = static_cast<double>(k);
