@@ -81,6 +81,9 @@ struct CrossingQuery {
   std::function<bool(const CurveNode&, const CurveNode&)> is_idle_beside = {};
   /// Where a curve turns back, is nothing asked of one of the two branches, up to a break?
   bool is_idle_beyond_reversals = false;
+  /// Are nearly parallel arcs looked at in balls at once, as is worth it next to near-cusps, where
+  /// there are many? Else once all others are.
+  bool has_near_cusps = false;
 };
 /// All places where a curve in a plane z = const meets itself, open or closed, with cusps and
 /// corners, proved like self_crossings(): at a place that is found there is one point in common,

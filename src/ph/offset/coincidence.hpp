@@ -73,7 +73,8 @@ class Coincidences {
   Coincidences() = default;  ///< none
 
   /// Are there none, and no parallel lines, either?
-  bool are_none() const { return lines_.empty() && factors_.empty(); }
+  bool are_none() const { return lines_.empty() && factors_.empty() && courses_.empty(); }
+
   const std::vector<CoincidentParts>& parts() const { return parts_; }  ///< by segments
   /// Where legs of lines have one point in common, as joints may be, too.
   const std::vector<KnownMeeting>& points() const { return points_; }

@@ -242,8 +242,11 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
 
 /// With parameters known to so many bits.
 SelfIntersections self_intersections(const OffsetBranches& branches, const CurveSeries& series,
-                                     const Coincidences& coincidences, long bits) {
-  SelfIntersections result = self_intersections(branches, series, coincidences, CrossingQuery{});
+                                     const Coincidences& coincidences, bool has_near_cusps,
+                                     long bits) {
+  CrossingQuery query;
+  query.has_near_cusps = has_near_cusps;
+  SelfIntersections result = self_intersections(branches, series, coincidences, std::move(query));
   for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
   return result;
 }
@@ -317,13 +320,13 @@ SelfIntersections self_intersections(const Offset& offset, long bits) {
       if (binary_exponent(of_curve[j] - of_curve[j - 1]) < shortest) has_near_cusp = true;
     }
   const auto found = [&](bool are_in_parts) {
-    if (!are_in_parts) return self_intersections(branches, series, coincidences, bits);
+    if (!are_in_parts) return self_intersections(branches, series, coincidences, false, bits);
     const auto [fine, parts] = in_parts(branches, cuts);
     const CurveSeries of_parts = plane_series(fine);
     const Coincidences again =
         coincidences.are_none() ? Coincidences() : Coincidences(fine, of_parts);
     SelfIntersections told =
-        OfPieces(parts, bits + 64).told(self_intersections(fine, of_parts, again, bits));
+        OfPieces(parts, bits + 64).told(self_intersections(fine, of_parts, again, true, bits));
     told.coincident = coincidences.parts();
     return told;
   };

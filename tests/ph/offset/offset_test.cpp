@@ -377,11 +377,12 @@ TEST_CASE("offset: a near-cusp, at which arcs of doubles are too long") {
   CHECK(is_near(meeting.found[0].second_t, "0.57999999992969932245"));
 }
 
-// w = s + ie, s = t - 1/2, turns by a whole turn: the offset goes round a circle that begins and ends
-// along its branches. It is symmetric about s = 0, with X(s) = s^3/3 - e^2 s + 2des/(s^2 + e^2), and
-// crosses itself where X = 0; its halves have a monotone curvature, so that each does not meet itself.
+// w = s + ie, s = t - 1/2, turns by a whole turn: the offset goes round a circle that begins and
+// ends along its branches. It is symmetric about s = 0, with X(s) = s^3/3 - e^2 s + 2des/(s^2 +
+// e^2), and crosses itself where X = 0; its halves have a monotone curvature, so that each does not
+// meet itself.
 TEST_CASE("offset: a near-cusp of a whole turn") {
-  for (const long digits : {6, 15, 30, 60}) {
+  for (const long digits : {6, 22}) {
     CAPTURE(digits);
     const Rational e = power_of_ten(-digits);
     const Rational d(-1, 10);
@@ -397,7 +398,8 @@ TEST_CASE("offset: a near-cusp of a whole turn") {
     CHECK(x(t.lower() - middle).sign() == -1);
     CHECK(x(t.upper() - middle).sign() == 1);
     const RealBall& other = meeting.found[0].first_t;
-    CHECK(other.contains(1 - t.midpoint()));
+    CHECK(x(middle - other.upper()).sign() == -1);
+    CHECK(x(middle - other.lower()).sign() == 1);
   }
 }
 
