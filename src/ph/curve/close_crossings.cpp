@@ -181,25 +181,19 @@ class ClosePair {
   /// Two arcs by their x or y.
   struct Gap {
     RealBall of_middles;
-    std::array<RealBall, 2> reach;  ///< how far each goes from there
+    RealBall reach;  ///< how far both go from these, taken together
 
     Gap(const ArcSlope& a, const ArcSlope& b, std::size_t k, long bits)
         : of_middles(absolute(subtract(a.point[k], b.point[k], bits))) {
-      const auto of = [&](const ArcSlope& arc) {
-        const RealBall rate = absolute(add_product(arc.v[k], arc.h, arc.b[k], bits));
-        return multiply(rate, absolute(arc.h), bits);
-      };
-      reach = {of(a), of(b)};
-      both_ = add(reach[0], reach[1], bits);
+      for (const ArcSlope* arc : {&a, &b})
+        reach = add(reach,
+                    multiply(absolute(add_product(arc->v[k], arc->h, arc->b[k], bits)),
+                             absolute(arc->h), bits),
+                    bits);
     }
-    bool is_seen() const { return is_less(both_, of_middles); }
+    bool is_seen() const { return is_less(reach, of_middles); }
     /// Are the middles known to fewer bits than shorter arcs tell from each other?
-    bool is_blurred() const { return is_less(both_, times_power_of_two(radius_of(of_middles), 6)); }
-    /// Does that arc go at least as far as the other one, or is that not known?
-    bool is_wide(std::size_t k) const { return !is_less(reach[k], reach[1 - k]); }
-
-   private:
-    RealBall both_;
+    bool is_blurred() const { return is_less(reach, times_power_of_two(radius_of(of_middles), 6)); }
   };
 
   bool visit(const CloseArc& a, const CloseArc& b) {
@@ -217,12 +211,9 @@ class ClosePair {
       return visit(again(a), again(b));
     }
     const CircleChart other(b, bits);
-    const Gap across_b(other.seen(a), other.seen(b), 1, bits);
-    if (across_b.is_seen()) return true;
-    // Of an arc that is far from its own circle its series tell little.
-    const bool is_first = across.is_wide(0) || (!across_b.is_wide(1) && length(a) >= length(b));
+    if (Gap(other.seen(a), other.seen(b), 1, bits).is_seen()) return true;
     const RealBall determinant = cross(of_a, of_b, bits);
-    if (determinant.contains_zero()) return visit_halves(a, b, is_first);
+    if (determinant.contains_zero()) return visit_halves(a, b);
     const NewtonStep step = newton(of_a, parameter(a), of_b, parameter(b), bits);
     const auto is_outside = [](const RealBall& t, const CloseArc& arc) {
       return t.is_finite() && (t.upper() < arc.lower || t.lower() > arc.upper);
@@ -233,7 +224,7 @@ class ClosePair {
     if (is_outside(step.first, a) || is_outside(step.second, b)) return true;
     if (!is_inside(step.first, a) || !is_inside(step.second, b) || !chart.tells_points_of(a) ||
         !chart.tells_points_of(b))
-      return visit_halves(a, b, is_first);
+      return visit_halves(a, b);
     found_.push_back(
         narrowed({a.segment, step.first, b.segment, step.second, phrame::sign(determinant)}, bits));
     return true;
@@ -265,13 +256,13 @@ class ClosePair {
     return crossing;
   }
 
-  bool visit_halves(const CloseArc& a, const CloseArc& b, bool is_first) {
-    const CloseArc& longer = is_first ? a : b;
+  bool visit_halves(const CloseArc& a, const CloseArc& b) {
+    const CloseArc& longer = length(a) >= length(b) ? a : b;
     if (width(longer) < power_of_two(-deepest)) return false;
     const Rational cut = longer.lower + width(longer) * Rational(31, 64);
     const CloseArc one = arc(longer.segment, longer.lower, cut, longer.bits);
     const CloseArc other = arc(longer.segment, cut, longer.upper, longer.bits);
-    if (is_first) return visit(one, b) && visit(other, b);
+    if (&longer == &a) return visit(one, b) && visit(other, b);
     return visit(a, one) && visit(a, other);
   }
 

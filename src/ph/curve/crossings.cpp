@@ -118,17 +118,15 @@ class CrossingSearch {
     if (is_same_curve() && first_.are_on_one_way(a, b)) return true;
     if (!are_neighbours && a.is_arc() && b.is_arc()) {
       if (are_apart_across(a, b)) return true;
-      const bool are_tiny = is_plane_ && is_tiny(a.box) && is_tiny(b.box);
-      if (query_.has_near_cusps && (are_tiny || are_nearly_parallel(a, b)) &&
-          are_told_closely(a, b))
-        return true;
       if (are_transversal(a.velocity, b.velocity)) {
         const auto [is_decided, crossing, place] = solve(a, b);
         if (crossing) return add_crossing(a, b, *crossing);
         if (is_decided || is_known(a, b)) return true;
         if (place) return leave_undecided(*place);
       }
-      if (are_tiny) return add_undecided({part_of(a), part_of(b)});
+      if (query_.has_near_cusps && are_nearly_parallel(a, b) && are_told_closely(a, b)) return true;
+      if (is_plane_ && is_tiny(a.box) && is_tiny(b.box))
+        return add_undecided({part_of(a), part_of(b)});
     }
     bool is_a_cut = size_of(a) >= size_of(b);
     // Of what is undecided both are arcs, also where several segments are smaller than one arc.

@@ -15,19 +15,15 @@
 namespace phrame::inline v0 {
 namespace {
 
-/// And has speeds of one size. By Bernstein coefficients on the part, which are near what the
-/// polynomials are there.
+/// By Bernstein coefficients on the part, which are near what the polynomials are there.
 bool turns_little(const Polynomial& turn, const Polynomial& sigma, const Rational& lower,
                   const Rational& upper) {
   const Polynomial t{lower, upper - lower};
   const auto coefficients = [&](const Polynomial& p) {
     return to_bernstein(compose(p, t), std::max(p.degree(), 0L));
   };
-  constexpr long most_times = 4096;
   const std::vector<Rational> sizes = coefficients(sigma);
-  const auto [least, greatest] = std::ranges::minmax_element(sizes);
-  if (*greatest > most_times * *least) return false;
-  const Rational most = *least / (upper - lower);
+  const Rational most = *std::ranges::min_element(sizes) / (upper - lower);
   const std::vector<Rational> rates = coefficients(turn);
   return std::ranges::all_of(rates, [&](const Rational& c) { return abs(c) <= most; });
 }

@@ -20,8 +20,8 @@ struct PathInParts {
   std::vector<SegmentPart> parts;  ///< what these are of the path that was given
 };
 
-/// Where [0, 1] is cut into parts on each of which ∫ turn/σ is seen to be between −1 and 1, and σ
-/// within a factor of 4096, the ends 0 and 1 included. Precondition: σ > 0 on [0, 1].
+/// Where [0, 1] is cut into parts on each of which ∫ turn/σ is seen to be between −1 and 1, the
+/// ends 0 and 1 included. Precondition: σ > 0 on [0, 1].
 std::vector<Rational> turning_cuts(const Polynomial& turn, const Polynomial& sigma);
 
 /// A path in a plane z = const in parts on each of which the tangent is seen to turn by little.
