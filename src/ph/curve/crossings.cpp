@@ -80,7 +80,6 @@ class CrossingSearch {
   CrossingSearch(CurveTree& plane, const CrossingQuery& query, CloseSearch& close)
       : first_(plane),
         second_(plane),
-        is_plane_(true),
         close_(&close),
         most_pairs_(most_plane_pairs +
                     most_plane_pairs / 10 * static_cast<long>(plane.root().last_segment)),
@@ -97,6 +96,7 @@ class CrossingSearch {
 
  private:
   bool is_same_curve() const { return &first_ == &second_; }
+  bool is_plane() const { return close_ != nullptr; }
 
   /// All in a node with itself; false where that is not decided.
   bool visit_self(CurveNode& node) {
@@ -125,7 +125,7 @@ class CrossingSearch {
         if (place) return leave_undecided(*place);
       }
       if (query_.has_near_cusps && are_nearly_parallel(a, b) && are_told_closely(a, b)) return true;
-      if (is_plane_ && is_tiny(a.box) && is_tiny(b.box))
+      if (is_plane() && is_tiny(a.box) && is_tiny(b.box))
         return add_undecided({part_of(a), part_of(b)});
     }
     bool is_a_cut = size_of(a) >= size_of(b);
@@ -175,18 +175,17 @@ class CrossingSearch {
   bool is_left() { return ++pairs_ <= most_pairs_; }
   /// In the plane that of the box: neighbouring segments may have quite different speeds.
   double size_of(const CurveNode& node) const {
-    if (is_plane_)
+    if (is_plane())
       return std::max(node.box[0].upper - node.box[0].lower, node.box[1].upper - node.box[1].lower);
     return static_cast<double>(node.last_segment - node.first_segment) + node.upper - node.lower;
   }
   bool is_too_short(const CurveNode& node) const {
-    return node.is_arc() && node.upper - node.lower < (is_plane_ ? least_plane_arc : least_arc);
+    return node.is_arc() && node.upper - node.lower < (is_plane() ? least_plane_arc : least_arc);
   }
 
   CurveTree& first_;
   CurveTree& second_;
-  bool is_plane_ = false;
-  CloseSearch* close_ = nullptr;
+  CloseSearch* close_ = nullptr;  ///< of a curve in a plane
   long close_failures_ = 0;
   long most_pairs_ = most_pairs;
   CrossingQuery query_ = {};
@@ -220,14 +219,17 @@ std::optional<CurvePart> merged(const CurvePart& a, const CurvePart& b) {
 bool CrossingSearch::are_told_closely(const CurveNode& a, const CurveNode& b) {
   if (close_failures_ > most_close_failures || is_known(a, b)) return false;
   const auto found = close_->crossings(part_of(a), part_of(b));
-  if (!found) ++close_failures_;
-  if (found) found_.insert(found_.end(), found->begin(), found->end());
-  return found.has_value();
+  if (!found) {
+    ++close_failures_;
+    return false;
+  }
+  found_.insert(found_.end(), found->begin(), found->end());
+  return true;
 }
 
 /// Goes on without these, of a curve in a plane.
 bool CrossingSearch::leave_undecided(const UndecidedCrossing& place) {
-  if (!is_plane_) return false;
+  if (!is_plane()) return false;
   for (auto& [first, second] : undecided_) {
     const auto one = merged(first, place.first);
     const auto other = merged(second, place.second);
@@ -286,7 +288,7 @@ CrossingSearch::Solution CrossingSearch::solve(const CurveNode& a, const CurveNo
     if (exponent >= before) return {};
     bits = crossing_bits - 4 * std::min(exponent, 0L);
     if (bits <= most_crossing_bits) continue;
-    if (!is_plane_) return {};
+    if (!is_plane()) return {};
     return {false, {}, UndecidedCrossing{part_of(a, s), part_of(b, t)}};
   }
 }
@@ -295,7 +297,7 @@ int CrossingSearch::sign_at(const CurveNode& a, const RealBall& s, const CurveNo
                             const RealBall& t, long bits) const {
   const Vector<BallPolynomial> p = first_.space_series(a.first_segment, s, 2, bits);
   const Vector<BallPolynomial> q = second_.space_series(b.first_segment, t, 2, bits);
-  if (is_plane_)
+  if (is_plane())
     return sign(subtract(multiply(p[0].coefficient(1), q[1].coefficient(1), bits),
                          multiply(p[1].coefficient(1), q[0].coefficient(1), bits), bits));
   RealBall determinant;

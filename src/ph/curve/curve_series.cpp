@@ -135,13 +135,6 @@ Vector<RealBall> box_around(const RationalCurve& curve) {
   return box;
 }
 
-/// Where a polynomial that is not 0 changes its sign in (0, 1).
-std::vector<RealAlgebraic> sign_changes(const Polynomial& p) {
-  std::vector<RealAlgebraic> places;
-  for (const RealRoot& root : odd(real_roots(p, open_interval(0, 1)))) places.push_back(root.at);
-  return places;
-}
-
 SegmentTurning turning_of(const RationalCurve& curve) {
   const auto& [x, y, z] = curve.direction();
   const Polynomial turn = x * differentiate(y) - y * differentiate(x);

@@ -38,11 +38,12 @@ std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points) {
   return found;
 }
 
-std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier) {
+std::vector<RealAlgebraic> sign_changes(const Polynomial& p) {
   std::vector<RealAlgebraic> places;
-  for (const RealRoot& root : odd_inside(real_roots(multiplier, closed_interval(0, 1))))
-    places.push_back(root.at);
+  for (const RealRoot& root : odd(real_roots(p, open_interval(0, 1)))) places.push_back(root.at);
   return places;
 }
+
+int constant_sign(const Polynomial& p) { return sign_changes(p).empty() ? sign_after_zero(p) : 0; }
 
 }  // namespace phrame

@@ -22,7 +22,10 @@ PHRAME_API std::vector<RealRoot> inflections(const QuaternionPolynomial& a,
 PHRAME_API std::vector<RealRoot> odd(const std::vector<RealRoot>& points);
 /// Those of them in (0, 1).
 PHRAME_API std::vector<RealRoot> odd_inside(const std::vector<RealRoot>& points);
-/// Where in (0, 1) a curve with that multiplier, f or p, turns back.
-PHRAME_API std::vector<RealAlgebraic> turning_places(const Polynomial& multiplier);
+/// Where in (0, 1) a polynomial that is not 0 changes its sign, as f or p does where a curve turns
+/// back.
+PHRAME_API std::vector<RealAlgebraic> sign_changes(const Polynomial& p);
+/// Its sign in (0, 1), but for zeros; 0 where it changes: for f or p the sign of r′·e₁.
+PHRAME_API int constant_sign(const Polynomial& p);
 
 }  // namespace phrame

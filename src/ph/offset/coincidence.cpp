@@ -400,7 +400,7 @@ bool Coincidences::add_courses(std::size_t first, std::size_t second,
   if (!parameter) return false;
   // Where the algebraic curve turns back and the curve does along it, too, it goes on.
   const auto course = [&](const RationalFunction& f, std::size_t curve) {
-    const std::vector<RealAlgebraic> turns = turning_places(differentiate(f).numerator());
+    const std::vector<RealAlgebraic> turns = sign_changes(differentiate(f).numerator());
     CurveCourse made = course_along(f, turns);
     std::vector<RealAlgebraic> tips;
     std::ranges::set_symmetric_difference(turns, turning_[curve].reversals,

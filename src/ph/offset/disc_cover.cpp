@@ -13,6 +13,7 @@
 #include "phrame/algebra/ball_polynomial.hpp"
 #include "phrame/algebra/real_algebraic.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
@@ -145,7 +146,8 @@ std::vector<DiscTrack> tracks_of(const PhPath& path, const Rational& d) {
 }
 
 std::optional<DiscLine> line_of(const Curve& curve) {
-  if (!plane_tangent(curve).turn.is_zero() || constant_sign(curve) == 0) return std::nullopt;
+  if (!plane_tangent(curve).turn.is_zero() || constant_sign(curve.multiplier()) == 0)
+    return std::nullopt;
   return DiscLine{curve.start(), end_point(curve) - curve.start()};
 }
 

@@ -134,7 +134,7 @@ Offset GaugeOffsets::at(const Rational& d, OffsetJoin join) const {
       return {curve.direction()[0](t), curve.direction()[1](t)};
     };
     segments.push_back({std::nullopt, point(curve, 0), e1(0), e1(1),
-                        sign_after_zero(curve.multiplier()), turning_places(curve.multiplier())});
+                        sign_after_zero(curve.multiplier()), sign_changes(curve.multiplier())});
     if (!parameters[k]) continue;
     segments[k].curve =
         moved(curve.numerator(), curve.weight(), vector_at(gauge, *parameters[k]), d);

@@ -28,11 +28,6 @@ std::vector<RationalCurve> curves_of(const Path& path) {
   return curves;
 }
 
-/// That of r′·e₁; 0 where the curve turns back.
-int sign_along(const RationalCurve& curve) {
-  return turning_places(curve.multiplier()).empty() ? sign_after_zero(curve.multiplier()) : 0;
-}
-
 /// All boundary curves, those of the offset first, and the signs that BoundaryCurves has of them.
 struct Stroke {
   OffsetBranches branches;
@@ -51,7 +46,7 @@ Stroke stroke_of(const std::vector<RationalCurve>& path, bool is_closed,
       stroke.behind.push_back(more.behind[k] == no_segment ? no_segment : first + more.behind[k]);
       stroke.turns.push_back(more.turns[k]);
       const OffsetPiece& piece = offset.pieces[k];
-      made.signs.push_back(piece.is_join ? 0 : sign_along(path[piece.segment]));
+      made.signs.push_back(piece.is_join ? 0 : constant_sign(path[piece.segment].multiplier()));
     }
   };
   const auto add_cap = [&](const std::vector<RationalCurve>& cap) {
@@ -108,7 +103,8 @@ TrimmedOffset trimmed_offset(const Path& path, const Gauge& gauge, const Rationa
     const auto center = center_around(piece, (from + to) / 2);
     return center && cover.is_nearer_along(pieces[piece].curve, from, to, *center);
   };
-  if (!std::ranges::all_of(along, sign_along))  // then all go along e₁
+  if (!std::ranges::all_of(along, constant_sign,
+                           &RationalCurve::multiplier))  // then all go along e₁
     curves.is_backward = [&](std::size_t piece, const Rational& t) {
       return pieces[piece].curve.multiplier()(t).sign() ==
              -sign_after_zero(along.front().multiplier());

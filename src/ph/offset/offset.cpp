@@ -72,7 +72,7 @@ Offset offset(const PhPath& path, const Rational& d, OffsetJoin join) {
     const Curve& curve = path.segments()[k];
     segments.push_back({std::nullopt, curve.start(), direction(tangents[k], 0),
                         direction(tangents[k], 1), sign_after_zero(curve.multiplier()),
-                        turning_places(curve.multiplier())});
+                        sign_changes(curve.multiplier())});
     if (!is_point(curve, tangents[k], d))
       segments.back().curve = offset_along(curve, tangents[k], d);
   }

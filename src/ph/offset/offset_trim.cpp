@@ -67,7 +67,7 @@ class StrokeMaker {
     const int end_sign = sign_before_one(last.multiplier());
     add_cap(end_point(last), direction(plane_tangent(last), 1), end_sign,
             {segments.size() - 1, 1, true});
-    if (std::ranges::all_of(segments, constant_sign)) {
+    if (std::ranges::all_of(segments, constant_sign, &Curve::multiplier)) {
       const PhPath back = *reversed(Path(path_)).with_preimages();
       add(phrame::offset(back, offset_.distance), back, true);
     } else {  // e₁ of the reversed path may be on either side
@@ -96,7 +96,7 @@ class StrokeMaker {
       const bool is_arc = piece.is_join && !is_line(piece.curve);
       stroke_.centers.push_back(is_arc ? std::optional(base.start()) : std::nullopt);
       stroke_.bases.push_back(piece.is_join ? constant(base.start()) : base_of(base));
-      stroke_.signs.push_back(piece.is_join ? 0 : constant_sign(base));
+      stroke_.signs.push_back(piece.is_join ? 0 : constant_sign(base.multiplier()));
       SideFoot& foot = stroke_.feet.emplace_back(SideFoot{piece.segment, {}, is_reversed}).value();
       if (is_reversed) foot.segment = path.segments().size() - 1 - piece.segment;
       if (piece.is_join) foot.point = is_reversed ? 1 : 0;
@@ -128,7 +128,7 @@ class StrokeMaker {
 std::vector<RationalCurve> turning_curves(const PhPath& path) {
   std::vector<RationalCurve> curves;
   for (const Curve& curve : path.segments())
-    if (constant_sign(curve) == 0) curves.push_back(PhSegment(curve).by_positions());
+    if (constant_sign(curve.multiplier()) == 0) curves.push_back(PhSegment(curve).by_positions());
   return curves;
 }
 
@@ -166,7 +166,8 @@ TrimmedOffset trimmed_whole(const PhPath& path, const Rational& d, OffsetJoin jo
     return is_nearer_along(stroke.branches.curves[part.segment], *where.lower, *where.upper,
                            stroke.bases[other.segment], (*beside.lower + *beside.upper) / 2, d);
   };
-  if (!std::ranges::all_of(path.segments(), constant_sign))  // then all go along e₁
+  if (!std::ranges::all_of(path.segments(), constant_sign,
+                           &Curve::multiplier))  // then all go along e₁
     curves.is_backward = [&](std::size_t piece, const Rational& t) {
       return pieces[piece].curve.multiplier()(t).sign() ==
              -sign_after_zero(path.segments().front().multiplier());

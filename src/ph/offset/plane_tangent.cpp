@@ -6,7 +6,6 @@
 
 #include "phrame/algebra/error.hpp"
 #include "phrame/ph/curve/invariants.hpp"
-#include "phrame/ph/curve/special_points.hpp"
 
 namespace phrame::inline v0 {
 
@@ -28,10 +27,6 @@ PlaneTangent plane_tangent(const Curve& curve) {
   tangent.turn = exact_quotient(
       tangent.x * differentiate(tangent.y) - differentiate(tangent.x) * tangent.y, tangent.sigma);
   return tangent;
-}
-
-int constant_sign(const Curve& curve) {
-  return turning_places(curve.multiplier()).empty() ? sign_after_zero(curve.multiplier()) : 0;
 }
 
 PlaneDirection direction(const PlaneTangent& tangent, const Rational& t) {

@@ -20,9 +20,6 @@ bool is_level(const Curve& curve);
 /// Throws DomainError where the curve is in no plane z = const.
 PlaneTangent plane_tangent(const Curve& curve);
 
-/// The sign of r′·e₁ along the curve; 0 where it turns back.
-int constant_sign(const Curve& curve);
-
 /// e₁ there, exact.
 PlaneDirection direction(const PlaneTangent& tangent, const Rational& t);
 

@@ -76,6 +76,7 @@ struct PartEnds {
       bits *= 4;
     } while (from == to && bits < 10'000);
   }
+  int way() const { return from < to ? 1 : -1; }  ///< as way_along()
   /// The sign of p on it, where that does not change.
   int sign_of(const Polynomial& p) const {
     Rational at = (from + to) / 2;
@@ -132,16 +133,13 @@ PartMeasure measure_part(const PhPath& path, const Offset& offset, const OffsetP
   const RationalFunction outer(half * (r[0] * y - r[1] * x), w * piece.curve.weight());
   const PartEnds ends(part);
   const Rational signed_d = ends.sign_of(piece.curve.multiplier()) * d;
-  return {Real(Rational(way_along(part))) * (length + Real(signed_d) * angle),
+  return {Real(Rational(ends.way())) * (length + Real(signed_d) * angle),
           grown(inner) + change(outer) + Real(signed_d) * length + Real(half * d * d) * angle};
 }
 
 }  // namespace
 
-int way_along(const OffsetPart& part) {
-  const PartEnds ends(part);
-  return ends.from < ends.to ? 1 : -1;
-}
+int way_along(const OffsetPart& part) { return PartEnds(part).way(); }
 
 BranchMeasure measure(const PhPath& path, const TrimmedOffset& trimmed,
                       const TrimmedBranch& branch) {

@@ -28,7 +28,7 @@ std::vector<BoundaryEvent> events_at_turns(const std::vector<RationalCurve>& pat
                                            const Offset& offset, const GaugeForm& form) {
   std::vector<BoundaryEvent> events;
   for (const RationalCurve& of : path)
-    for (const RealAlgebraic& t : turning_places(of.multiplier()))
+    for (const RealAlgebraic& t : sign_changes(of.multiplier()))
       for (std::size_t k = 0; k < offset.pieces.size(); ++k) {
         const RationalCurve& curve = offset.pieces[k].curve;
         const Polynomial gap = gap_from(curve, of, t, offset.distance, form);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "phrame/algebra/ball_order.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/offset/plane_tangent.hpp"
 
 namespace phrame::inline v0 {
@@ -95,7 +96,7 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
   for (const Curve& curve : path.segments()) {
     const PlaneTangent tangent = plane_tangent(curve);
     tangents_.push_back({tangent.x, tangent.y, {}});
-    signs_.push_back(constant_sign(curve));
+    signs_.push_back(constant_sign(curve.multiplier()));
     const long degree = std::max(tangent.x.degree(), tangent.y.degree());
     const std::vector<Rational> x = to_bernstein(tangent.x, degree);
     const std::vector<Rational> y = to_bernstein(tangent.y, degree);

@@ -45,7 +45,7 @@ PhPath random_ph_path(Random& random, long count) {
 
 bool turns_back(const PhPath& path) {
   return std::ranges::any_of(path.segments(), [](const Curve& curve) {
-    return !turning_places(curve.multiplier()).empty();
+    return !sign_changes(curve.multiplier()).empty();
   });
 }
 
