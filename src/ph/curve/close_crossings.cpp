@@ -21,6 +21,8 @@ namespace {
 
 constexpr long deepest = 64;
 constexpr long most_close_bits = 4096;
+constexpr long fewest_terms = 6;
+constexpr long most_terms = 96;
 constexpr long most_close_pairs = 4000;
 constexpr long most_pairs_of_all = 100'000;
 
@@ -66,10 +68,6 @@ NewtonStep newton(const ArcSlope& a, const RealBall& s, const ArcSlope& b, const
   return {subtract(midpoint_of(s), ds, bits), subtract(midpoint_of(t), dt, bits)};
 }
 
-/// As many as are of use: each tells some four bits more of an arc that is short beside the
-/// distance of its poles.
-long terms_for(long bits) { return std::clamp(bits / 4, 8L, 96L); }
-
 PlaneBall coefficient(const PlaneSeries& p, long k) {
   return {p[0].coefficient(k), p[1].coefficient(k)};
 }
@@ -92,6 +90,14 @@ Rational width(const CloseArc& arc) { return arc.upper - arc.lower; }
 double length(const CloseArc& arc) {
   const auto& [x, y] = coefficient(arc.middle, 1);
   return static_cast<double>(width(arc)) * std::hypot(approximate(x), approximate(y));
+}
+/// How many bits of its reach the terms of the arc tell.
+long bits_told(const CloseArc& arc) {
+  const auto exponent = [&](long n) {
+    const auto& [x, y] = coefficient(arc.all, n);
+    return std::max(exponent_above(x), exponent_above(y)) + n * exponent_above(arc.h);
+  };
+  return exponent(1) - exponent(arc.terms);
 }
 RealBall parameter(const CloseArc& arc) { return hull(arc.lower, arc.upper, arc.bits); }
 
@@ -171,10 +177,17 @@ class ClosePair {
     CloseArc arc{segment, lower, upper, std::max(bits, 96 - 4 * binary_exponent(upper - lower))};
     const RealBall t = parameter(arc);
     const RealBall middle = midpoint_of(t);
-    arc.terms = terms_for(arc.bits);
-    arc.middle = position_(segment, middle, arc.terms, arc.bits);
-    arc.all = position_(segment, t, arc.terms + 1, arc.bits);
     arc.h = subtract(t, middle, arc.bits);
+    // Each tells log₂(ρ/h) bits, with the distance ρ of the poles, as soon as these are seen.
+    const long most = std::clamp(arc.bits / 4, fewest_terms, most_terms);
+    for (long terms = fewest_terms; arc.terms < most;) {
+      arc.terms = std::min(terms, most);
+      arc.all = position_(segment, t, arc.terms + 1, arc.bits);
+      const long told = bits_told(arc);
+      if (told >= arc.bits - 64) break;
+      terms = std::max(2 * terms, arc.terms * arc.bits / std::max(told, 1L));
+    }
+    arc.middle = position_(segment, middle, arc.terms, arc.bits);
     return arc;
   }
 
