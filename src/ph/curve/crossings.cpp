@@ -351,9 +351,7 @@ std::optional<std::vector<Crossing>> mutual_crossings(const CurveSeries& first,
 SelfIntersections self_intersections(const CurveSeries& curve, const CrossingQuery& query) {
   CurveTree tree(curve, {0, 0, 1});
   CloseSearch close(curve);
-  SelfIntersections result = CrossingSearch(tree, query, close).in_plane();
-  look_closer(curve, close, result);
-  return result;
+  return CrossingSearch(tree, query, close).in_plane();
 }
 
 long sum_of_signs(const std::vector<Crossing>& crossings) {

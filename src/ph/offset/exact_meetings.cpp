@@ -369,6 +369,14 @@ ExactMeetings::Pair& ExactMeetings::pair_of(std::size_t first, std::size_t secon
   return *pair;
 }
 
+bool ExactMeetings::is_quick(const UndecidedCrossing& place) const {
+  constexpr long most = 25;  // half the degree of a resultant, at most
+  const auto degree = [&](const CurvePart& part) {
+    return phrame::degree(curves_.curves[part.segment]);
+  };
+  return degree(place.first) * degree(place.second) <= most;
+}
+
 std::optional<PartMeetings> ExactMeetings::between(const UndecidedCrossing& place) {
   const std::size_t first = place.first.segment;
   const std::size_t second = place.second.segment;

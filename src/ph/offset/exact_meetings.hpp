@@ -43,6 +43,9 @@ class ExactMeetings {
   /// curves, of degree 108 for offsets of quintics.
   std::optional<PartMeetings> between(const UndecidedCrossing& place);
 
+  /// Are the resultants of these two curves short, as those of lines with others are?
+  bool is_quick(const UndecidedCrossing& place) const;
+
  private:
   class Pair;
 

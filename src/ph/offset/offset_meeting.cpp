@@ -122,7 +122,8 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
   }
 }
 
-/// Moves what is decided by algebra, and adds what is known of lines.
+/// Moves what is decided by algebra or in balls, what takes least first, and adds what is known of
+/// parts that coincide.
 void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
                      const CurveSeries& series, const std::vector<KnownMeeting>& known) {
   std::vector<PointPair> told;
@@ -136,13 +137,20 @@ void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
   };
   for (const KnownMeeting& x : known) add(x);
   ExactMeetings exact(offset, series);
-  std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
-    const auto meetings = exact.between(place);
-    if (!meetings) return false;
-    for (const Crossing& x : meetings->crossings) add_once(result.found, x);
-    for (const KnownMeeting& x : meetings->touching) add(x);
-    return true;
-  });
+  const auto decide = [&](bool are_only_quick) {
+    std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
+      if (are_only_quick && !exact.is_quick(place)) return false;
+      const auto meetings = exact.between(place);
+      if (!meetings) return false;
+      for (const Crossing& x : meetings->crossings) add_once(result.found, x);
+      for (const KnownMeeting& x : meetings->touching) add(x);
+      return true;
+    });
+  };
+  decide(true);
+  CloseSearch close(series);
+  look_closer(series, close, result);
+  decide(false);
 }
 
 /// Touching where parts that coincide both start or end is no place of its own.
