@@ -225,6 +225,40 @@ std::array<RealAlgebraic, 2> range(const CurveCourse& course, const Interval& pa
   return {*least, *greatest};
 }
 
+/// The t at which a curve goes through a point, where there is one, complex ones counted.
+std::optional<Rational> only_place(const RationalCurve& curve, const Vector<Rational>& at) {
+  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
+  const Polynomial common = gcd(gap(0), gap(1));
+  if (common.degree() != 1) return std::nullopt;
+  return -common.coefficient(0) / common.coefficient(1);
+}
+
+/// The bilinear factor of P(s) − Q(t), told by three points of P and proved by Q(t(s)) = P(s).
+std::optional<Bivariate> bilinear_factor(const RationalCurve& p, const RationalCurve& q) {
+  std::array<std::vector<Rational>, 4> values;  // of 1, s, t and st
+  for (const Rational& s : {Rational(0), Rational(1), Rational(1, 3)}) {
+    const auto t = only_place(q, point(p, s));
+    if (!t) return std::nullopt;
+    values[0].emplace_back(1);
+    values[1].push_back(s);
+    values[2].push_back(*t);
+    values[3].push_back(s * *t);
+  }
+  const auto relations = linear_relations(
+      {Polynomial(values[0]), Polynomial(values[1]), Polynomial(values[2]), Polynomial(values[3])});
+  if (relations.size() != 1) return std::nullopt;
+  const std::vector<Rational>& x = relations.front();
+  const Polynomial numerator{-x[0], -x[1]};
+  const Polynomial denominator{x[2], x[3]};
+  if (denominator.is_zero()) return std::nullopt;
+  const RationalFunction t(numerator, denominator);
+  for (std::size_t k = 0; k < 2; ++k)
+    if (compose(RationalFunction(q.numerator()[k], q.weight()), t) !=
+        RationalFunction(p.numerator()[k], p.weight()))
+      return std::nullopt;
+  return Bivariate({-numerator, denominator});
+}
+
 Interval parameters(const CurveNode& arc) {
   return closed_interval(exact_sum(arc.lower, 0).midpoint(), exact_sum(arc.upper, 0).midpoint());
 }
@@ -300,7 +334,7 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
     ends.push_back({box_at(curves[k], 0), box_at(curves[k], 1)});
     order.push_back(k);
     if (is_straight(k) ? !turning_[k].reversals.empty() : images[k].may_visit(images[k], 1))
-      add(k, k, curves);
+      add(k, k, curves, false);
   }
   const auto lower = [&](std::size_t k) { return all[k][0].lower; };
   std::ranges::sort(order, {}, lower);
@@ -324,7 +358,7 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
               : (may_turn_on(first, second) || may_end_on(first, second) ||
                  may_end_on(second, first)) &&
                     images[second].may_visit(images[first], 0))
-        add(first, second, curves);
+        add(first, second, curves, !images[second].may_visit(images[first], 1));
     }
   std::ranges::sort(parts_, {}, [](const CoincidentParts& x) {
     return std::tuple(x.first_segment, x.first_from, x.second_segment, x.second_from);
@@ -377,10 +411,13 @@ void Coincidences::add_lines(std::size_t first, std::size_t second,
 }
 
 void Coincidences::add(std::size_t first, std::size_t second,
-                       const std::vector<RationalCurve>& curves) {
+                       const std::vector<RationalCurve>& curves, bool is_visited_once) {
   if (is_straight(first) && is_straight(second)) return add_lines(first, second, curves);
+  const auto factor_of_parts =
+      is_visited_once ? bilinear_factor(curves[first], curves[second]) : std::nullopt;
   std::vector<Bivariate> shared =
-      meeting_equations(curves[first], curves[second], first == second).shared;
+      factor_of_parts ? std::vector{*factor_of_parts}
+                      : meeting_equations(curves[first], curves[second], first == second).shared;
   if (!std::ranges::all_of(shared, is_bilinear) && add_courses(first, second, shared, curves))
     return;
   for (Bivariate& factor : shared) {

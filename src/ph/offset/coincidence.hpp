@@ -84,7 +84,10 @@ class Coincidences {
 
  private:
   bool is_straight(std::size_t k) const;
-  void add(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
+  /// With at most one t of the second curve for a point of the first, complex ones counted, if
+  /// that is known.
+  void add(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves,
+           bool is_visited_once);
   void add_lines(std::size_t first, std::size_t second, const std::vector<RationalCurve>& curves);
   bool add_courses(std::size_t first, std::size_t second, const std::vector<Bivariate>& shared,
                    const std::vector<RationalCurve>& curves);
