@@ -131,6 +131,24 @@ long common_degree(const ModularPolynomial& a, const ModularPolynomial& b) {
   return common.degree();
 }
 
+// res(a, b) = lc(a)^deg b · ∏ b(τ).
+std::optional<Word> product_of_values(const ModularPolynomial& a, const ModularPolynomial& b,
+                                      const ModularPolynomial& c) {
+  if (a.is_zero()) return std::nullopt;
+  const nmod_t mod = a.raw()->mod;
+  ModularPolynomial monic(a.prime());
+  nmod_poly_make_monic(monic.raw(), a.raw());
+  const Word below = nmod_poly_resultant(monic.raw(), c.raw());
+  if (below == 0) return std::nullopt;
+  return nmod_div(nmod_poly_resultant(monic.raw(), b.raw()), below, mod);
+}
+
+Word power(Word x, long n, Word p) {
+  nmod_t mod;
+  nmod_init(&mod, p);
+  return nmod_pow_ui(x, static_cast<ulong>(n), mod);
+}
+
 bool are_coprime(const ModularPolynomial& a, const ModularPolynomial& b) {
   return common_degree(a, b) == 0;
 }

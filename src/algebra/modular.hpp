@@ -89,6 +89,11 @@ struct FactorShape {
 };
 /// Of all irreducible factors of a ≠ 0.
 std::vector<FactorShape> shapes_of_factors(const ModularPolynomial& a);
+/// ∏ b(τ)/c(τ) over the roots τ of a, in an algebraic closure, with multiplicities; no value where
+/// a = 0, or c is 0 at one of them.
+std::optional<Word> product_of_values(const ModularPolynomial& a, const ModularPolynomial& b,
+                                      const ModularPolynomial& c);
+Word power(Word x, long n, Word p);  ///< xⁿ modulo p; n ≥ 0
 /// The residue of x modulo p.
 Word residue(const Integer& x, Word p);
 

@@ -171,6 +171,24 @@ TEST_CASE("modular: law: a polynomial has the power sums of its roots, f′/f th
   });
 }
 
+TEST_CASE("modular: a product of values at roots, and powers, modulo a small prime") {
+  constexpr Word p = 101;
+  const auto linear = [&](Word root) { return ModularPolynomial(p, {p - root, 1}); };
+  ModularPolynomial a = linear(2);  // 5·(t − 2)²·(t − 3)
+  a *= linear(2);
+  a *= linear(3);
+  a *= Word{5};
+  const ModularPolynomial b(p, {1, 0, 1});     // t² + 1: 5, 5 and 10
+  const ModularPolynomial c(p, {0, 1, 0, 1});  // t³ + t: 10, 10 and 30
+  CHECK(product_of_values(a, b, ModularPolynomial(p, {1})) == 250 % 101);
+  // 250/3000 = 1/12, and 12·59 = 708 = 7·101 + 1.
+  CHECK(product_of_values(a, b, c) == 59);
+  CHECK_FALSE(product_of_values(a, b, linear(3)));
+  CHECK_FALSE(product_of_values(ModularPolynomial(p), b, c));
+  CHECK(power(3, 0, p) == 1);
+  CHECK(power(3, 5, p) == 243 % 101);
+}
+
 TEST_CASE("modular: a common factor is never taken for none, not even one that is constant there") {
   const long p = static_cast<long>(Primes().next());
   const auto integral = [](const Polynomial& f) { return integer_numerator(f); };

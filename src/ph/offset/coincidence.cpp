@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/ball_order.hpp"
@@ -37,6 +38,27 @@ class ModularCurve {
       x_[k] = ModularPolynomial(prime, integer_numerator(all[k]));
       degrees_[k] = all[k].degree();
     }
+    const auto sum = [&](Word a, Word b, Word c) {
+      ModularPolynomial p(prime);
+      for (const auto& [x, factor] : {std::pair(&x_[0], a), {&x_[1], b}, {&x_[2], c}}) {
+        ModularPolynomial term = *x;
+        p += term *= factor;
+      }
+      return p;
+    };
+    const ModularPolynomial line = sum(31, 57, 1009);
+    if (line.degree() == degree()) mark_ = product_of_values(line, sum(1, 0, 777), x_[2]);
+  }
+
+  /// Is it seen that both are not on one algebraic curve? Each point of that is visited by as many
+  /// t, complex ones and ∞ counted, as the degree of the curve is a multiple of that of the
+  /// algebraic one: so where both meet a line all t are, and so ∏ (x + 777) over these is a power.
+  bool is_apart_from(const ModularCurve& other) const {
+    if (!mark_ || !other.mark_) return false;
+    const long common = std::gcd(degree(), other.degree());
+    const Word prime = x_[0].prime();
+    return power(*mark_, other.degree() / common, prime) !=
+           power(*other.mark_, degree() / common, prime);
   }
 
   /// May a point of the other curve, that at a certain t, be one of this curve for more than
@@ -63,8 +85,11 @@ class ModularCurve {
   }
 
  private:
+  long degree() const { return std::ranges::max(degrees_); }
+
   std::array<ModularPolynomial, 3> x_;
   std::array<long, 3> degrees_{};
+  std::optional<Word> mark_;  ///< ∏ (x + 777) over all points on a line
 };
 
 /// The first two of these coordinates.
@@ -357,6 +382,7 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
               ? !are_apart(all[first], all[second])
               : (may_turn_on(first, second) || may_end_on(first, second) ||
                  may_end_on(second, first)) &&
+                    !images[first].is_apart_from(images[second]) &&
                     images[second].may_visit(images[first], 0))
         add(first, second, curves, !images[second].may_visit(images[first], 1));
     }
