@@ -21,7 +21,7 @@ import tempfile
 import time
 from contextlib import redirect_stderr, redirect_stdout
 from fractions import Fraction
-from itertools import chain, islice
+from itertools import chain, islice, starmap
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -277,17 +277,19 @@ PLACES = [("position",), ("position", "w"), ("position", "w", 0), ("position", "
 
 
 def with_each_text(original, paths):
-    """Every text and value at a place of each kind."""
-    for path in paths:
-        for value in VALUES:
-            certificate = copy.deepcopy(original)
-            put(certificate, path, value)
-            yield json.dumps(certificate, ensure_ascii=False).encode("utf-8")
+    """Every text and value at a place of each kind, which made() makes."""
+    return [(original, path, value) for path in paths for value in VALUES]
+
+
+def made(original, path, value):
+    certificate = copy.deepcopy(original)
+    put(certificate, path, value)
+    return json.dumps(certificate, ensure_ascii=False).encode("utf-8")
 
 
 def with_each_text_of_polynomial(original):
     logs = ("antiderivative", "logs", 0)
-    yield from with_each_text(original, (("sigma", 0), ("curve", "preimage", "u", 0), ("curve", "phrame"), ("curve", "name"), ("claims", 0, "t"), ("claims", 0, "theta"),
+    return with_each_text(original, (("sigma", 0), ("curve", "preimage", "u", 0), ("curve", "phrame"), ("curve", "name"), ("claims", 0, "t"), ("claims", 0, "theta"),
                  ("claims", 0, "radius"), ("rate", "coprime_modulo"), ("bits",), (*logs, "index"), (*logs, "roots", 0, "radius"),
                  (*logs, "roots", 0, "center", 0), ("decisions", "line", "answer"), ("decisions", "regular", "cusps")))
 
@@ -505,7 +507,7 @@ def main():
                       with_each_text(originals[-len(INTEGRALS)], PLACES_OF_INTEGRALS),
                       with_each_text(originals[-len(INTEGRALS) - len(FORMULAS)], PLACES_OF_FORMULAS))
         refused = []  # by the script; verify may then say so of many at once
-        for number, data in enumerate(chain(changed, islice(texts, 0, None, options.every))):
+        for number, data in enumerate(chain(changed, starmap(made, islice(texts, 0, None, options.every)))):
             path = Path(options.keep or folder) / ("%d.cert" % number)
             path.write_bytes(data)
             mine, told = by_script(path)
