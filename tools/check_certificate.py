@@ -81,8 +81,8 @@ class Poly:
 
     def __init__(self, c, d=1):
         c = stripped(c)
-        g = reduce(gcd, c, d)
-        self.c, self.d = [x // g for x in c], d // g
+        g = reduce(gcd, c, d) if d > 1 else 1
+        self.c, self.d = ([x // g for x in c], d // g) if g > 1 else (c, d)
 
     def __add__(self, b):
         n = max(len(self.c), len(b.c))
@@ -1128,7 +1128,7 @@ def rational(value, place):
     head, below = matched(EXACT, "an integer or a fraction", value, place).groups()
     if below and int(below) == 0:
         fail(place, "the denominator is 0", value)
-    x = Fraction(int(head), int(below or 1))
+    x = Fraction(int(head), int(below)) if below else int(head)
     TAKEN.volume += bits_of(x)
     return x if x.denominator > 1 else x.numerator
 

@@ -12,6 +12,7 @@ quadrature on intervals that are halved until two rules agree. Of PH curves the 
 import math
 import re
 from fractions import Fraction
+from functools import cache
 
 from flint import arb, ctx
 
@@ -20,11 +21,9 @@ TOLERANCE = arb(2) ** -200  # of two rules, for each interval
 ctx.prec = BITS
 
 
+@cache
 def rule(n):
     return [arb.legendre_p_root(n, k, weight=True) for k in range(n)]
-
-
-RULES = {}
 
 
 def middle(x):
@@ -35,9 +34,8 @@ def integral(functions, a, b, depth=0):
     """The integrals of a function t -> list over [a, b]."""
     sums = []
     for n in ORDERS:
-        nodes = RULES.setdefault(n, rule(n))
         half, center = (b - a) / 2, (a + b) / 2
-        values = [[w * half * y for y in functions(middle(center + half * x))] for x, w in nodes]
+        values = [[w * half * y for y in functions(middle(center + half * x))] for x, w in rule(n)]
         sums.append([sum((middle(y) for y in column), arb(0)) for column in zip(*values)])
     if all(abs(middle(x - y)) <= TOLERANCE for x, y in zip(*sums)) or depth > 200:
         return [middle(x) for x in sums[1]]
@@ -128,10 +126,10 @@ def formula(text, **names):
 
 
 def horner(coefficients, t):
-    out = Jet(0)
+    t, f, d, dd = jet(t), arb(0), arb(0), arb(0)
     for c in reversed(coefficients):
-        out = out * t + number(c)
-    return out
+        f, d, dd = f * t.f + number(c), d * t.f + f * t.d, dd * t.f + 2 * d * t.d + f * t.dd
+    return Jet(f, d, dd)
 
 
 def bezier(points, t):

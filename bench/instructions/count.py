@@ -37,28 +37,32 @@ REPETITIONS = 2  # as in main.cpp
 TOLERANCE = 1.1  # other processors have other code of GMP and glibc, which makes some hundredths
 
 
-def counts(program, m, kinds):
-    """Instructions of each stage, once, in the order of the program; with one for each kind of curves."""
+def counts(program, sizes, kinds):
+    """Instructions of each stage, once, by size in the order of the program; with a stage for each kind of curves. One process counts them
+    all, since valgrind translates a program anew in each."""
     with tempfile.TemporaryDirectory() as folder:
-        out, curves = pathlib.Path(folder, "out"), []
-        for name, make in kinds.items():
-            file = pathlib.Path(folder, name)
-            file.write_text(json.dumps(make(m)))
-            curves += [name, file]
+        out, arguments = pathlib.Path(folder, "out"), []
+        for m in sizes:
+            arguments.append(str(m))
+            for name, make in kinds.items():
+                file = pathlib.Path(folder, f"{name}-{m}")
+                file.write_text(json.dumps(make(m)))
+                arguments += [name, file]
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=counted",
-             "--dump-after=counted", program, str(m), *curves],
+             "--dump-after=counted", program, *arguments],
             capture_output=True, text=True)
         if run.returncode != 0:
-            sys.exit(f"{program} {m}: {run.stderr}")
+            sys.exit(f"{program} {sizes}: {run.stderr}")
         stages = run.stdout.split()
-        totals = [int(re.search(r"^summary: (\d+)", out.with_name(f"out.{k}").read_text(), re.M).group(1))
+        totals = [int(re.search(r"^summary: (\d+)", out.with_name(f"out.{k}").read_text(), re.M).group(1)) / REPETITIONS
                   for k in range(1, len(stages) + 1)]
-    return {stage: total / REPETITIONS for stage, total in zip(stages, totals)}
+    n = len(stages) // len(sizes)
+    return {m: dict(zip(stages[k * n:(k + 1) * n], totals[k * n:(k + 1) * n])) for k, m in enumerate(sizes)}
 
 
 def table(program, sizes):
-    found = [counts(program, m, {}) for m in sizes]
+    found = list(counts(program, sizes, {}).values())
     print("| stage |", *(f"m = {m} |" for m in sizes))
     print("|---|" + "---|" * len(sizes))
     for stage in found[0]:
@@ -103,7 +107,7 @@ def main():
     if given.expected and built not in all_expected:
         print(f"no counts are known for {built}")
         return 77
-    found = {str(m): counts(given.program, m, KINDS) for m in SIZES}
+    found = {str(m): stages for m, stages in counts(given.program, SIZES, KINDS).items()}
     if given.expected:
         return 1 if compare(found, all_expected[built]) else 0
     all_expected[built] = {m: {stage: round(n) for stage, n in stages.items()} for m, stages in found.items()}

@@ -1,7 +1,9 @@
 // Each stage twice after a warm-up, in a function of its own, for callgrind to count; names the
 // stages in their order:
-//   phrame_instructions M [NAME FILE]...
-// with a stage of that name for each curve file. Without M, what it was built by.
+//   phrame_instructions [M [NAME FILE]...]...
+// of each size M in turn, with a stage of that name for each curve file. Without M, what it was
+// built by.
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -38,12 +40,9 @@ extern "C" [[gnu::noinline]] void counted(const std::function<void()>& stage) {
   for (int k = 0; k < repetitions; ++k) stage();
 }
 
-int main(int argc, char** argv) {
-  if (argc == 1) {
-    std::puts(PHRAME_BUILT_BY);
-    return 0;
-  }
-  const long m = std::atol(argv[1]);
+namespace {
+
+void count_stages(long m, const std::vector<std::pair<const char*, std::string>>& curves) {
   const std::string text = bench::random_curve_text(m);
   const Curve curve = bench::random_curve(m);
   RmfAngle angle(curve, Reference::euler_rodrigues);
@@ -82,11 +81,23 @@ int main(int argc, char** argv) {
        }},
       {"batch-line", batch_line(text)},
   };
-  for (int i = 2; i + 1 < argc; i += 2)
-    stages.emplace_back(argv[i], batch_line(text_of(argv[i + 1])));
+  for (const auto& [name, curve_text] : curves) stages.emplace_back(name, batch_line(curve_text));
   for (const auto& [name, stage] : stages) {
     stage();
     counted(stage);
     std::puts(name);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 1) std::puts(PHRAME_BUILT_BY);
+  for (int i = 1; i < argc;) {
+    const long m = std::atol(argv[i++]);
+    std::vector<std::pair<const char*, std::string>> curves;
+    for (; i + 1 < argc && std::isdigit(argv[i][0]) == 0; i += 2)
+      curves.emplace_back(argv[i], text_of(argv[i + 1]));
+    count_stages(m, curves);
   }
 }

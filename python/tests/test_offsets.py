@@ -152,9 +152,10 @@ def test_where_an_offset_meets_itself():
 # As in tests/ph/offset/offset_test.cpp: at d = -1/24 the halves touch at t = 1/4 and 3/4, farther out they cross twice.
 def test_where_an_offset_touches_itself():
     mirrored = phrame.Path.from_json('{"phrame": "curve/1", "basis": "power", "preimage": {"u": ["1/2"], "v": [0], "p": [0], "q": [-1, 2]}}')
-    (meeting,) = mirrored.offset("-1/24").self_intersections
+    found = mirrored.offset("-1/24")
+    (meeting,) = found.self_intersections
     assert meeting.touches and meeting.t == (Decimal("0.25"), Decimal("0.75"))
-    assert "touches itself" in mirrored.offset("-1/24")._repr_html_()
+    assert "touches itself" in found._repr_html_()
     assert [x.touches for x in mirrored.offset("-1/25").self_intersections] == [False, False]
 
 
@@ -165,10 +166,11 @@ def test_where_an_offset_runs_along_itself():
     way = [["2/3", 1], ["2/3", 2], [0, 2], [0, 0]]
     points = [cubic, *([a, b] for a, b in zip(way, way[1:])), part]
     path = phrame.Path.from_json(json.dumps({"phrame": "spline/1", "segments": [{"control_points": p} for p in points]}))
-    (found,) = path.offset("1/5").coincident
+    offset = path.offset("1/5")
+    (found,) = offset.coincident
     assert [round(float(t), 12) for t in found.first] == [0.333333333333, 0.666666666667]
     assert found.second == (4, 5) and found.on_joins == (False, False)
-    answer = json.loads(path.offset("1/5").json())["offsets"][0]["self_intersections"]
+    answer = json.loads(offset.json())["offsets"][0]["self_intersections"]
     assert answer["complete"] and len(answer["coincident"]) == 1
 
 

@@ -5,6 +5,7 @@ import doctest
 import inspect
 import pickle
 import random
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -35,10 +36,15 @@ def test_values_are_pickled_and_copied(kind):
 @pytest.mark.parametrize("kind", VALUES, ids=lambda kind: kind.__name__)
 def test_what_a_value_gives_outlives_it(kind):
     for x in VALUES[kind][: 2 * MULTIPLIER]:
+        fresh = None
         for name in member_names(x):
-            fresh = pickle.loads(pickle.dumps(x))
+            if fresh is None:
+                fresh = pickle.loads(pickle.dumps(x))
             part = member(fresh, name)
-            del fresh
+            if type(part) in (bool, int, str, Fraction):  # Python's own, which refer to nothing, so that it can give the next one
+                assert same(part, member(x, name))
+                continue
+            fresh = None
             rubbish = [random_curve(random.Random(k)) for k in range(10)]
             assert same(part, member(x, name)) and rubbish
 

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from certificates_paths_check import ROOT, expect, phrame, product, run
 
 def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def cross(a, b):
@@ -26,7 +26,8 @@ def less(a, b):
 
 
 def unit(a):
-    return [x / math.sqrt(dot(a, a)) for x in a]
+    size = math.sqrt(dot(a, a))
+    return [x / size for x in a]
 
 
 def places(certificate, steps):

@@ -42,6 +42,32 @@ def expect(status, what, path, curve=None, line=""):
         sys.exit("%s: %d is expected, the script %s, verify %s" % (what, status, mine, other))
 
 
+def expect_each(are_proved, what, path):
+    """Of the claims of a certificate these are proved, and those not, and so is all that they rest on."""
+    done = run("verify", path)
+    for status, text in (by_script(path), (done.returncode, done.stdout)):
+        lines = text.splitlines()[:-1]
+        found = [line.startswith("proved ") for line in lines if "  |theta(" in line]
+        others = [line for line in lines if line.startswith("not proved ") and "  |theta(" not in line]
+        if status != 1 or found != are_proved or others:
+            sys.exit("%s: %s is expected, and found: %d, %s" % (what, are_proved, status, text))
+
+
+def expect_refused(here, lies):
+    """Of (what it is, what is told, a certificate): both checkers refuse them, verify in one run, and say where that is in the file."""
+    paths = [here / ("%d.lie" % k) for k in range(len(lies))]
+    for path, (_, _, lie) in zip(paths, lies):
+        path.write_text(json.dumps(lie))
+    done = run("verify", *paths)
+    told = done.stdout.splitlines()
+    if done.returncode != 2 or len(told) != len(paths):
+        sys.exit("verify of %d files: %s" % (len(paths), done))
+    for path, other, (what, line, _) in zip(paths, told, lies):
+        status, mine = by_script(path)
+        if status != 2 or not other.startswith("%s:/" % path) or line not in mine or line not in other:
+            sys.exit("%s: to be refused, the script %d, %s, verify %s" % (what, status, mine, other))
+
+
 # ---- honest ones
 
 def curve(x, y, z, start=0, end=1, **more):
@@ -123,14 +149,15 @@ def check_symmetric(here):
         if asked["values"][0].get("radius", "0") != "0" or asked["values"][0]["theta"] != "0":
             sys.exit("%s: angle says %s" % (name, asked["values"]))
         other = {"mirror": "1/2"}.get(symmetry, "mirror")
-        lies = [(1, {"theta": "1e-900"}), (1, {"t": "2/5"}), (2, {"symmetry": "-1/2"}), (2, {"symmetry": "0"}), (2, {"symmetry": 1}), (2, {"symmetry": "mirrors"}),
-                (1, {"symmetry": "1/3"}), (1, {"t": "0"}), (0, {"theta": "1e-9", "radius": "1e-9"}), (2, {"length": "1"})]
-        for status, change in lies + [(1, {"symmetry": other})] * (name != "plane, sine"):
-            if name == "plane, sine" and change in ({"t": "2/5"}, {"symmetry": "1/3"}):  # its angle is 0 all along
-                continue
-            path.write_text(json.dumps({**honest, "claims": [{**claim, **change}]}))
-            expect(status, "%s, %s" % (name, change), path)
-            number += 1
+        lies = [{"theta": "1e-900"}, {"t": "0"}]
+        lies += [{"t": "2/5"}, {"symmetry": "1/3"}, {"symmetry": other}] * (name != "plane, sine")  # whose angle is 0 all along
+        refused = [{"symmetry": "-1/2"}, {"symmetry": "0"}, {"symmetry": 1}, {"symmetry": "mirrors"}, {"length": "1"}]
+        expect_refused(here, [("%s, %s" % (name, change), "", {**honest, "claims": [{**claim, **change}]}) for change in refused])
+        # Of one curve each is judged by itself, so that its pieces need be proved but once.
+        claims = [{**claim, **change} for change in (*lies, {"theta": "1e-9", "radius": "1e-9"})]
+        path.write_text(json.dumps({**honest, "claims": claims}))
+        expect_each([False] * len(lies) + [True], name, path)
+        number += len(refused) + len(claims)
         if name == "mirror":
             for k, near in enumerate(NEARLY):
                 file.write_text(json.dumps(near))
@@ -230,10 +257,11 @@ def check_to_the_last_bit(name, certificate, path):
     value = Fraction(certificate["claims"][-1].get("theta", certificate["claims"][-1].get("length")))
     least = max(value - low, high - value)
     digits = least.denominator.bit_length()
-    for n, status in () if least == 0 else ((least * 10 ** digits, 0), (least * 10 ** digits - 1, 1)):
-        certificate["claims"] = [{**certificate["claims"][-1], "radius": "%de-%d" % (n, digits)}]
-        path.write_text(json.dumps(certificate))
-        expect(status, name + " to the last bit", path)
+    if least:
+        radii = [least * 10 ** digits - k for k in range(2)]
+        claims = [{**certificate["claims"][-1], "radius": "%de-%d" % (n, digits)} for n in radii]
+        path.write_text(json.dumps({**certificate, "claims": claims}))
+        expect_each([True, False], name + " to the last bit", path)
 
 
 def check_rational(here):
@@ -399,10 +427,13 @@ def check_forged(here):
     expect(1, "in Greek letters, but multiplied in another way", path, curve=other, line="not proved  curve of")
     other.write_text(json.dumps(curve("(2 + cos(3·φ))·cos(2×φ)", "(2 + cos(3·φ))⋅sin(2·φ)", "sin(3·φ)", 0, "π÷3", variable="φ")))
     expect(0, "the same curve in Greek letters", path, curve=other)
-    for what, status, line, lie in forgeries(honest):
-        path.write_text(json.dumps(lie))
-        expect(status, what, path, line=line)
-        number += 1
+    lies = list(forgeries(honest))
+    expect_refused(here, [(what, line, lie) for what, status, line, lie in lies if status == 2])
+    for what, status, line, lie in lies:
+        if status < 2:
+            path.write_text(json.dumps(lie))
+            expect(status, what, path, line=line)
+    number += len(lies)
     file.write_text(json.dumps(CORNER))
     run("certify", file, "--digits", "10", "--up", "1,-7,2", "-o", path)
     check_table(here, path)
@@ -439,10 +470,9 @@ def check_jump(here):
         after = alone(curve(*(" + ".join("(%s)*%s" % (Fraction(x), y) for x, y in zip(row, r) if x) for row in matrix)))
         total = sum(Fraction(x["claims"][0]["theta"]) for x in (before, after))
         jump = Fraction("0.92729521800161223242851246")  # arctan(4/3)
-        for status, by in ((0, -jump), (1, jump), (1, 0)):
-            claim = {"t": "2", "theta": "%de-22" % round((total + by) * 10 ** 22), "radius": "1e-20"}
-            path.write_text(json.dumps({**before, "segments": before["segments"] + after["segments"], "claims": [claim]}))
-            expect(status, "jump by %s" % float(by), path)
+        claims = [{"t": "2", "theta": "%de-22" % round((total + by) * 10 ** 22), "radius": "1e-20"} for by in (-jump, jump, 0)]
+        path.write_text(json.dumps({**before, "segments": before["segments"] + after["segments"], "claims": claims}))
+        expect_each([True, False, False], "jump", path)
 
 
 def check_refused(here):

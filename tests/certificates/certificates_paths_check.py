@@ -63,11 +63,10 @@ def angle_by_quadrature(certificate, t, mp):
     total = mp.mpf(0)
     for k, segment in enumerate(certificate["segments"]):
         end = min(max(t - k, 0), 1)
-        A = [[mp.mpf(Fraction(c).numerator) / Fraction(c).denominator for c in segment["curve"]["preimage"][x]] for x in "uvpq"]
+        A = [[mp.mpf(c.numerator) / c.denominator for c in map(Fraction, reversed(segment["curve"]["preimage"][x]))] for x in "uvpq"]
 
         def rate(s):
-            u, v, p, q = (mp.polyval(c[::-1], s) for c in A)
-            du, dv, dp, dq = (mp.polyval([n * x for n, x in enumerate(c)][:0:-1] or [0], s) for c in A)
+            (u, du), (v, dv), (p, dp), (q, dq) = (mp.polyval(c or [0], s, derivative=1) for c in A)
             return -2 * (u * dv - du * v - p * dq + dp * q) / (u * u + v * v + p * p + q * q)
         if end > 0:
             total += mp.quad(rate, [0, mp.mpf(end.numerator) / (2 * end.denominator), mp.mpf(end.numerator) / end.denominator])

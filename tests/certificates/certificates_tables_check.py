@@ -7,6 +7,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -34,11 +35,18 @@ def phrame(*arguments, may_fail=False):
     return run.stdout
 
 
+@cache
+def proof_of(data):
+    """Its statements, which the tables beside one certificate share."""
+    proof = checker.proof_of(checker.read_certificate(data, LIMITS))
+    proof.run()
+    return proof
+
+
 def verdicts(certificate, table, text):
     """Of the table, by each checker: None where it is proved, or why not."""
     table.write_text(text)
-    proof = checker.proof_of(checker.read_certificate(certificate.read_bytes(), LIMITS))
-    proof.run()
+    proof = proof_of(certificate.read_bytes())
     proof.state("table", proof.table, (), checker.read_table(str(table)))
     mine = None if proof.lines[-1][0] else proof.lines[-1][1].split(": ", 1)[1]
     (line,) = [x for x in phrame("verify", certificate, "--table", table, may_fail=True).splitlines() if " table %s" % table in x]

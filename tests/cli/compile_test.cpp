@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 
@@ -27,11 +28,12 @@ namespace {
 constexpr long million = 1'000'000;
 
 /// Writes, for each double it reads, θ and the frame (of CURVE's header, but for -DNO_FRAME) and
-/// the two errors that the header states. Fails where the functions of arrays, of these doubles in
-/// their order and in disorder, give something else: where products and sums may be fused, so much
-/// that one is wrong.
+/// the two errors that the header states, in the mode of rounding given. Fails where the functions
+/// of arrays, of these doubles in their order and in disorder, give something else: where products
+/// and sums may be fused, so much that one is wrong.
 constexpr const char* evaluator = R"(
 #include <stdio.h>
+#include <stdlib.h>
 #include <fenv.h>
 #include "angle.h"
 enum { many = 4099 };
@@ -67,12 +69,10 @@ static int are_as_one_by_one(size_t n, size_t step)
   return 1;
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
-#ifdef ROUNDING
-  fesetround(ROUNDING);
-#endif
   size_t n;
+  if (argc > 1) fesetround(atoi(argv[1]));
   while ((n = fread(t, sizeof *t, many, stdin)) > 0) {
     for (size_t k = 0; k < n; ++k) {
       double *out = rows[k];
@@ -91,24 +91,37 @@ int main(void)
 )";
 using Row = std::array<double, 12>;
 
-/// The rows of the header angle.h in the workshop, compiled with the options.
-std::vector<Row> evaluated(const Workshop& shop, const std::vector<double>& at,
-                           const std::string& options) {
+/// Compiles the header angle.h in the workshop with the options.
+void build_evaluator(const Workshop& shop, const std::string& options) {
   shop.write("evaluator.c", evaluator);
-  std::string bytes(at.size() * sizeof(double), '\0');
-  std::memcpy(bytes.data(), at.data(), bytes.size());
-  shop.write("t.bin", bytes);
   const char* compiler = std::getenv("CC");
   const std::string command = "cd '" + shop.file(".").string() + "' && " +
                               (compiler == nullptr ? "cc" : compiler) +
                               " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " + options +
-                              " evaluator.c -o evaluator -lm && ./evaluator <t.bin >rows.bin";
+                              " evaluator.c -o evaluator -lm";
+  REQUIRE(std::system(command.c_str()) == 0);
+}
+
+/// The rows of what was compiled.
+std::vector<Row> rows_at(const Workshop& shop, const std::vector<double>& at,
+                         const std::string& mode = "") {
+  std::string bytes(at.size() * sizeof(double), '\0');
+  std::memcpy(bytes.data(), at.data(), bytes.size());
+  shop.write("t.bin", bytes);
+  const std::string command =
+      "cd '" + shop.file(".").string() + "' && ./evaluator " + mode + " <t.bin >rows.bin";
   REQUIRE(std::system(command.c_str()) == 0);
   const std::string rows = test::bytes_of(shop.file("rows.bin"));
   std::vector<Row> result(at.size());
   REQUIRE(rows.size() == at.size() * sizeof(Row));
   std::memcpy(result.data(), rows.data(), rows.size());
   return result;
+}
+
+std::vector<Row> evaluated(const Workshop& shop, const std::vector<double>& at,
+                           const std::string& options) {
+  build_evaluator(shop, options);
+  return rows_at(shop, at);
 }
 
 /// Evenly spaced, the ends of [0, 1] among them.
@@ -244,10 +257,11 @@ TEST_CASE("compile: nothing where rounding is another, or constants are floats")
   const Workshop shop;
   CHECK(shop.run("compile quintic.json --prefix arm -o angle.h").status == 0);
   const std::vector<double> at{0, 0.3, 1};
-  for (const char* mode : {"FE_UPWARD", "FE_DOWNWARD", "FE_TOWARDZERO"})
-    for (const Row& row : evaluated(shop, at, std::string("-std=c99 -O2 -DROUNDING=") + mode))
+  build_evaluator(shop, "-std=c99 -O2");
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    for (const Row& row : rows_at(shop, at, std::to_string(mode)))
       for (std::size_t k = 0; k < 10; ++k) CHECK(std::isnan(row[k]));
-  for (const Row& row : evaluated(shop, at, "-std=c99 -O2 -DROUNDING=FE_TONEAREST"))
+  for (const Row& row : rows_at(shop, at, std::to_string(FE_TONEAREST)))
     CHECK_FALSE(std::isnan(row[0]));
   shop.write("constants.c", "#include \"angle.h\"\nint main(void) { return 0; }\n");
   const char* compiler = std::getenv("CC");

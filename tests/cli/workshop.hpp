@@ -169,7 +169,7 @@ inline void check_failure(const Run& run, int status, std::string_view part) {
 
 /// The output of a shell script; the program's directory is in PATH, the working directory is ours.
 inline std::string output_of(const Workshop& here, const std::string& script) {
-  here.write("script", "PATH=$(dirname \"$PHRAME_PROGRAM\"):$PATH\n" + script);
+  here.write("script", "PATH=${PHRAME_PROGRAM%/*}:$PATH\n" + script);
   const std::string command = "cd '" + here.file("").string() + "' && bash ./script >out 2>&1";
   CHECK(std::system(command.c_str()) == 0);
   return bytes_of(here.file("out"));

@@ -62,11 +62,13 @@ class Integrand:
         middle, half = (a + b) / 2, (b - a) / 2
         return half * sum(w * self(middle + half * x) for x, w in RULE)
 
-    def integral(self, a, b, depth=30):
-        """None where bisection does not converge: there is a pole. Infinite beyond the floating-point numbers."""
+    def integral(self, a, b, whole=None, depth=30):
+        """None where bisection does not converge: there is a pole. Infinite beyond the floating-point numbers. The whole is gauss(a, b)."""
         middle = (a + b) / 2
         try:
-            whole, left, right = self.gauss(a, b), self.gauss(a, middle), self.gauss(middle, b)
+            if whole is None:
+                whole = self.gauss(a, b)
+            left, right = self.gauss(a, middle), self.gauss(middle, b)
         except OverflowError:
             return math.inf
         except ZeroDivisionError:
@@ -75,8 +77,8 @@ class Integrand:
             return left + right
         if depth == 0:
             return None
-        left = self.integral(a, middle, depth - 1)
-        right = None if left is None else self.integral(middle, b, depth - 1)
+        left = self.integral(a, middle, left, depth - 1)
+        right = None if left is None else self.integral(middle, b, right, depth - 1)
         return None if right is None else left + right
 
 

@@ -6,6 +6,7 @@ whose functions are those of SymPy's evalf, with the same cuts; what is free of 
 """
 import cmath
 import contextlib
+import functools
 import json
 import math
 import os
@@ -139,6 +140,7 @@ def is_close(f, g, x):
         return all(abs(a - b) <= 1e-40 * abs(b) for a, b in zip(values(f, x, points), values(g, x, points)))
 
 
+@functools.lru_cache(maxsize=1)  # what is differentiated is mostly evaluated next
 def read(text):
     """What the script defines, and its variable. Python reads it with the limit for the digits of integers that its users
     have; SymPy, which factors what the coefficients of a RootSum have in common, has none."""

@@ -7,7 +7,7 @@ from the curve's file. Which way the profile lies is that of `phrame frames`. Th
 import json
 import tempfile
 from fractions import Fraction
-from math import comb
+from math import comb, lcm
 from pathlib import Path
 
 from program import phrame
@@ -16,12 +16,20 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 CURVES = ROOT / "examples/curves"
 
 
+def integers(p):
+    """Of the coefficients, and their common denominator."""
+    d = lcm(*(x.denominator for x in p))
+    return [x.numerator * (d // x.denominator) for x in p], d
+
+
 def product(p, q):
-    r = [Fraction(0)] * (len(p) + len(q) - 1)
+    """In integers, since a sum of fractions is reduced after each term."""
+    (p, d), (q, e) = integers(p), integers(q)
+    r = [0] * (len(p) + len(q) - 1)
     for i, a in enumerate(p):
         for j, b in enumerate(q):
             r[i + j] += a * b
-    return r
+    return [Fraction(x, d * e) for x in r]
 
 
 def total(*terms):
