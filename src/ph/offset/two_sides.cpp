@@ -62,13 +62,13 @@ class TwoSides::Pair {
     return sign(add(over(p, a_), over(q, b_), side_bits)) > 0;
   }
 
-  /// Are all from one place of the path up to another one, with r′ to the same side of e₁?
-  bool is_ahead(std::size_t first, double from, std::size_t last, double to) const {
+  /// Are all from one place of the path up to another one, with this sign of r′·e₁?
+  bool is_ahead(std::size_t first, double from, std::size_t last, double to, int sign) const {
     for (std::size_t k = first; k <= last; ++k) {
-      if (sides_.signs_[k] == 0 || sides_.signs_[k] != sides_.signs_[first]) return false;
       const double lower = k == first ? from : 0;
       const double upper = k == last ? to : 1;
       if (lower >= upper) continue;
+      if (sides_.sign_on(k, lower, upper) != sign) return false;
       const bool is_whole = lower == 0 && upper == 1;
       if (is_whole ? !std::ranges::all_of(sides_.corners_[k],
                                           [&](const PlaneBall& x) { return is_ahead(x); })
@@ -96,7 +96,11 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
   for (const Curve& curve : path.segments()) {
     const PlaneTangent tangent = plane_tangent(curve);
     tangents_.push_back({tangent.x, tangent.y, {}});
-    signs_.push_back(constant_sign(curve.multiplier()));
+    Stretches& stretches = stretches_.emplace_back(sign_after_zero(curve.multiplier()));
+    for (const RealAlgebraic& t : sign_changes(curve.multiplier())) {
+      const RealBall at = enclose(t, side_bits);
+      stretches.breaks.push_back({-upper_double(subtract({}, at, side_bits)), upper_double(at)});
+    }
     const long degree = std::max(tangent.x.degree(), tangent.y.degree());
     const std::vector<Rational> x = to_bernstein(tangent.x, degree);
     const std::vector<Rational> y = to_bernstein(tangent.y, degree);
@@ -119,6 +123,16 @@ PlaneBall TwoSides::along(std::size_t segment, double from, double to) const {
   return e;
 }
 
+int TwoSides::sign_on(std::size_t segment, double from, double to) const {
+  int sign = stretches_[segment].first_sign;
+  for (const DoubleInterval& at : stretches_[segment].breaks) {
+    if (at.lower > to) break;
+    if (at.upper >= from) return 0;
+    sign = -sign;
+  }
+  return sign;
+}
+
 bool TwoSides::are_apart(const CurveNode& a, const CurveNode& b) const {
   const auto& at_a = feet_[a.first_segment];
   const auto& at_b = feet_[b.first_segment];
@@ -129,14 +143,15 @@ bool TwoSides::are_apart(const CurveNode& a, const CurveNode& b) const {
   if (!at_b->point && !pair.is_ahead(pair.second())) return false;
   const FootRange p = range_of(*at_a, a);
   const FootRange q = range_of(*at_b, b);
-  if (signs_[p.segment] != signs_[q.segment]) return false;
+  const int sign = sign_on(p.segment, p.from, p.to);
+  if (sign == 0 || sign != sign_on(q.segment, q.from, q.to)) return false;
   const bool is_in_order = p.segment != q.segment ? p.segment < q.segment : p.from <= q.from;
   const FootRange& one = is_in_order ? p : q;
   const FootRange& other = is_in_order ? q : p;
-  if (pair.is_ahead(one.segment, one.to, other.segment, other.from)) return true;
+  if (pair.is_ahead(one.segment, one.to, other.segment, other.from, sign)) return true;
   return is_closed_ && one.segment != other.segment &&
-         pair.is_ahead(other.segment, other.to, signs_.size() - 1, 1) &&
-         pair.is_ahead(0, 0, one.segment, one.from);
+         pair.is_ahead(other.segment, other.to, stretches_.size() - 1, 1, sign) &&
+         pair.is_ahead(0, 0, one.segment, one.from, sign);
 }
 
 }  // namespace phrame

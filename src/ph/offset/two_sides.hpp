@@ -29,12 +29,20 @@ class TwoSides {
  private:
   class Pair;
 
+  /// The stretches of a segment between places where it turns back.
+  struct Stretches {
+    int first_sign;  ///< of r′·e₁ on the first one; it changes from one to the next
+    std::vector<DoubleInterval> breaks;  ///< around the places in between, ascending
+  };
+
   PlaneBall along(std::size_t segment, double from, double to) const;
+  /// The sign of r′·e₁ on a part of a segment; 0 where it changes there, or nearly there.
+  int sign_on(std::size_t segment, double from, double to) const;
 
   std::vector<std::optional<SideFoot>> feet_;
   std::vector<Vector<Polynomial>> tangents_;     ///< σ·e₁ of each segment
   std::vector<std::vector<PlaneBall>> corners_;  ///< and its Bernstein coefficients
-  std::vector<int> signs_;                       ///< of r′·e₁; 0 where that changes
+  std::vector<Stretches> stretches_;
   bool is_closed_;
 };
 

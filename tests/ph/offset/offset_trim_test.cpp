@@ -403,6 +403,28 @@ TEST_CASE("offset_trim: distances that are less than all that doubles tell of th
   }
 }
 
+// r' = (t - 1/3)w^2, |w|^2 = 5 + 5t^2, turns back at t = 1/3, from where on it is next to itself:
+// its parts are 275/972 and 440/243 long. Where it is 2d wide, it is some d^(2/3) away from there.
+TEST_CASE(
+    "offset_trim: distances that are less than all that doubles tell of a path that turns back") {
+  const PhPath path(
+      Curve({Polynomial{1, 2}, {}, {}, Polynomial{2, -1}}, Polynomial{Rational(-1, 3), 1}));
+  for (const long digits : {3, 9, 30}) {
+    CAPTURE(digits);
+    const Rational d = power_of_ten(-digits);
+    const TrimmedOffset found = trimmed_offset(path, d);
+    CHECK(found.undecided.empty());
+    REQUIRE(found.branches.size() == 2);
+    std::vector<double> lengths;
+    for (const TrimmedBranch& branch : found.branches)
+      lengths.push_back(approximate(measure(path, found, branch).length));
+    std::ranges::sort(lengths);
+    const double nearly = 4 * std::pow(10, -2.0 * static_cast<double>(digits) / 3);
+    CHECK(std::abs(lengths[0] - 275.0 / 972) < nearly + 1e-15);
+    CHECK(std::abs(lengths[1] - 440.0 / 243) < nearly + 1e-15);
+  }
+}
+
 // Mitred outside, a triangle with the inradius 1 becomes a similar one with the inradius 1 + d.
 TEST_CASE("offset_trim: mitres: similar triangles, rectangles, and rooms that are shut") {
   const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
