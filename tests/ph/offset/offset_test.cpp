@@ -548,7 +548,7 @@ std::pair<std::size_t, std::size_t> counts(const Curve& curve, const Rational& d
   return {found.found.size(), found.touching.size()};
 }
 
-// With w = 1/2 + iu, u = 2t - 1 and v = u^2 the offset has x - x(1/2) = u (1/4 - v/3 + 4d/(1 + 4v))
+// With w = 1/2 + iu, u = 2t - 1 and v = u^2 the offset has x - x(1/2) = u (1/4 - v/3 + 8d/(1 + 4v))
 // / 2, which at d = -1/24 has a double root in v = 1/4.
 TEST_CASE("offset: halves of a mirrored curve that touch each other on the axis, or nearly") {
   const Curve curve({{Rational(1, 2)}, {}, {}, {-1, 2}});

@@ -425,6 +425,25 @@ TEST_CASE(
   }
 }
 
+// With w = 1/2 + ib, b = u + u^13/4, u = 2t - 1, the offset has x = x(1/2) + (G(u) + d)b/(1/4 +
+// b^2), and G is greatest where findroot() of mpmath has a zero of G'. There both halves nearly
+// touch on the axis, and their resultant would be too long.
+TEST_CASE("offset_trim: of degree 53, halves of a mirrored curve that nearly touch") {
+  const Polynomial u{-1, 2};
+  const Polynomial square = u * u;
+  const Polynomial fourth = square * square;
+  const Polynomial b = u * (Polynomial{1} + Rational(1, 4) * fourth * fourth * fourth);
+  const PhPath path(Curve({{Rational(1, 2)}, {}, {}, b}));
+  const Rational greatest =
+      parse_rational("0.0416661582643920533562213145749516090841734378155836");
+  for (const bool is_less : {false, true}) {
+    const Rational gap = (is_less ? -1 : 1) * power_of_ten(-25);
+    const TrimmedOffset found = trimmed_offset(path, -greatest - gap);
+    CHECK(found.undecided.empty());
+    CHECK(found.branches.size() == (is_less ? 3 : 2));
+  }
+}
+
 // Mitred outside, a triangle with the inradius 1 becomes a similar one with the inradius 1 + d.
 TEST_CASE("offset_trim: mitres: similar triangles, rectangles, and rooms that are shut") {
   const PhPath triangle = lines({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 0, 0}});
