@@ -50,9 +50,9 @@ class ModularCurve {
     if (line.degree() == degree()) mark_ = product_of_values(line, sum(1, 0, 777), x_[2]);
   }
 
-  /// Is it seen that both are not on one algebraic curve? Each point of that is visited by as many
-  /// t, complex ones and ∞ counted, as the degree of the curve is a multiple of that of the
-  /// algebraic one: so where both meet a line all t are, and so ∏ (x + 777) over these is a power.
+  /// Is it seen that both are not along one algebraic curve? Let that be of degree n. A curve of
+  /// degree kn along it goes through each of its points k times, t = ∞ and complex t counted: so
+  /// ∏ (x + 777) over all t at which it is on a certain line is the k-th power of one number.
   bool is_apart_from(const ModularCurve& other) const {
     if (!mark_ || !other.mark_) return false;
     const long common = std::gcd(degree(), other.degree());
