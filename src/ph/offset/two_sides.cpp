@@ -96,11 +96,12 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
   for (const Curve& curve : path.segments()) {
     const PlaneTangent tangent = plane_tangent(curve);
     tangents_.push_back({tangent.x, tangent.y, {}});
-    Stretches& stretches = stretches_.emplace_back(sign_after_zero(curve.multiplier()));
+    Stretches stretches{sign_after_zero(curve.multiplier()), {}};
     for (const RealAlgebraic& t : sign_changes(curve.multiplier())) {
       const RealBall at = enclose(t, side_bits);
       stretches.breaks.push_back({-upper_double(subtract({}, at, side_bits)), upper_double(at)});
     }
+    stretches_.push_back(std::move(stretches));
     const long degree = std::max(tangent.x.degree(), tangent.y.degree());
     const std::vector<Rational> x = to_bernstein(tangent.x, degree);
     const std::vector<Rational> y = to_bernstein(tangent.y, degree);
