@@ -259,6 +259,27 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
   return result;
 }
 
+/// All pairs of curves by their resultants; no value where these are not all short, or there is
+/// something that they do not decide.
+std::optional<SelfIntersections> by_algebra(const OffsetBranches& branches,
+                                            const CurveSeries& series,
+                                            const Coincidences& coincidences, long bits) {
+  SelfIntersections result;
+  const ExactMeetings exact(branches, series);
+  for (std::size_t a = 0; a < branches.curves.size(); ++a)
+    for (std::size_t b = a; b < branches.curves.size(); ++b) {
+      const UndecidedCrossing& all =
+          result.undecided.emplace_back(UndecidedCrossing{{a, 0, 1}, {b, 0, 1}});
+      if (!exact.is_quick(all)) return std::nullopt;
+    }
+  decide_touching(result, branches, series, coincidences.points());
+  if (!result.is_complete()) return std::nullopt;
+  result.coincident = coincidences.parts();
+  remove_common_ends(result, branches);
+  for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
+  return result;
+}
+
 /// What is found of parts, told of the pieces.
 class OfPieces {
  public:
@@ -313,7 +334,8 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
 }
 
 // Arcs of doubles are too long next to a near-cusp, where a curve turns within little of its
-// parameter. Such a curve is looked at in parts; so are others where something is undecided.
+// parameter. Such a curve is looked at in parts, unless its resultant is short; so are others where
+// something is undecided.
 SelfIntersections self_intersections(const Offset& offset, long bits) {
   constexpr long shortest = -12;  // of the exponents of parts where there is no near-cusp
   const OffsetBranches branches = branches_of(offset);
@@ -338,6 +360,8 @@ SelfIntersections self_intersections(const Offset& offset, long bits) {
     told.coincident = coincidences.parts();
     return told;
   };
+  if (has_near_cusp)
+    if (auto result = by_algebra(branches, series, coincidences, bits)) return *std::move(result);
   SelfIntersections result = found(has_near_cusp);
   if (result.is_complete() || !is_cut) return result;
   SelfIntersections again = found(!has_near_cusp);

@@ -403,7 +403,7 @@ TEST_CASE("offset: branches that are told from the circle they go round by its c
 // e^2), and crosses itself where X = 0; its halves have a monotone curvature, so that each does not
 // meet itself.
 TEST_CASE("offset: a near-cusp of a whole turn") {
-  for (const long digits : {6, 15}) {
+  for (const long digits : {6, 15, 100}) {
     CAPTURE(digits);
     const Rational e = power_of_ten(-digits);
     const Rational d(-1, 10);
