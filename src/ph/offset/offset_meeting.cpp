@@ -259,11 +259,13 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
   return result;
 }
 
-/// All pairs of curves by their resultants; no value where these are not all short, or there is
-/// something that they do not decide.
+/// All pairs of a few curves by their resultants; no value where there are more, these are not all
+/// short, or there is something that they do not decide.
 std::optional<SelfIntersections> by_algebra(const OffsetBranches& branches,
                                             const CurveSeries& series,
                                             const Coincidences& coincidences, long bits) {
+  constexpr std::size_t most_curves = 6;
+  if (branches.curves.size() > most_curves) return std::nullopt;
   SelfIntersections result;
   const ExactMeetings exact(branches, series);
   for (std::size_t a = 0; a < branches.curves.size(); ++a)
