@@ -356,8 +356,9 @@ std::optional<std::vector<Crossing>> CloseSearch::crossings(const CurvePart& a,
   return are_told ? std::optional(std::move(pair).found()) : std::nullopt;
 }
 
-void look_closer(const CurveSeries& curve, CloseSearch& search, SelfIntersections& result) {
+void look_closer(const CurveSeries& curve, SelfIntersections& result) {
   if (result.is_cut_off) return;
+  CloseSearch search(curve);
   std::erase_if(result.undecided, [&](const UndecidedCrossing& x) {
     if (are_joined(curve, x.first, x.second)) return false;
     const auto found = search.crossings(x.first, x.second);

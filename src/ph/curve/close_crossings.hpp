@@ -47,6 +47,6 @@ class CloseSearch {
 };
 
 /// What self_intersections() left undecided is looked at so. What is decided is moved.
-void look_closer(const CurveSeries& curve, CloseSearch& search, SelfIntersections& result);
+void look_closer(const CurveSeries& curve, SelfIntersections& result);
 
 }  // namespace phrame

@@ -35,12 +35,6 @@ constexpr double slack = 0x1p-48;
 
 double size_of(const DoubleInterval& x) { return std::max(std::abs(x.lower), std::abs(x.upper)); }
 
-DoubleInterval interval_of(const RealBall& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (!x.is_finite()) return {-infinity, infinity};
-  return {-upper_double(subtract({}, x, arc_bits)), upper_double(x)};
-}
-
 /// A little more than x·y.
 DoubleInterval product(const DoubleInterval& x, const DoubleInterval& y) {
   const auto [least, most] =
@@ -170,6 +164,12 @@ class OneWay {
 constexpr long not_seen = 2;
 
 }  // namespace
+
+DoubleInterval doubles_around(const RealBall& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!x.is_finite()) return {-infinity, infinity};
+  return {-upper_double(subtract({}, x, arc_bits)), upper_double(x)};
+}
 
 bool are_apart(const PlaneBox& a, const PlaneBox& b) {
   for (std::size_t k = 0; k < 2; ++k)
@@ -311,8 +311,8 @@ void CurveTree::add_turning(CurveNode& arc, const RealBall& all, const RealBall&
   const PlaneSeries over =
       projected(curve_.direction(arc.first_segment, all, 2, arc_bits), arc_bits);
   for (std::size_t k = 0; k < 2; ++k)
-    arc.direction[k] =
-        interval_of(add_product(there[k].coefficient(0), over[k].coefficient(1), step, arc_bits));
+    arc.direction[k] = doubles_around(
+        add_product(there[k].coefficient(0), over[k].coefficient(1), step, arc_bits));
   const SegmentTurning& turning = curve_.turning[arc.first_segment];
   const auto& turns_back = turning.reversals;
   arc.reversals = count_between(turns_back, arc.lower, arc.upper, false, false);
@@ -335,7 +335,7 @@ std::unique_ptr<CurveNode> CurveTree::make_segment(std::size_t segment) const {
     for (std::size_t k = 0; k < 3; ++k)
       box[k] = BallPolynomial(std::vector{curve_.boxes[segment][k]});
     const PlaneSeries plane = projected(box, arc_bits);
-    for (std::size_t k = 0; k < 2; ++k) around[k] = interval_of(plane[k].coefficient(0));
+    for (std::size_t k = 0; k < 2; ++k) around[k] = doubles_around(plane[k].coefficient(0));
   }
   return make_arc(segment, 0, 1, around);
 }
@@ -355,11 +355,11 @@ std::unique_ptr<CurveNode> CurveTree::make_arc(std::size_t segment, double lower
   for (std::size_t k = 0; k < 2; ++k) {
     const RealBall bend = multiply(over[k].coefficient(2), step, arc_bits);
     const RealBall slope = add(there[k].coefficient(1), bend, arc_bits);
-    node->box[k] = interval_of(add_product(there[k].coefficient(0), slope, step, arc_bits));
-    node->velocity[k] = interval_of(add(slope, bend, arc_bits));
-    node->middle[k] = interval_of(there[k].coefficient(0));
-    node->slope[k] = interval_of(there[k].coefficient(1));
-    node->bend[k] = interval_of(over[k].coefficient(2));
+    node->box[k] = doubles_around(add_product(there[k].coefficient(0), slope, step, arc_bits));
+    node->velocity[k] = doubles_around(add(slope, bend, arc_bits));
+    node->middle[k] = doubles_around(there[k].coefficient(0));
+    node->slope[k] = doubles_around(there[k].coefficient(1));
+    node->bend[k] = doubles_around(over[k].coefficient(2));
   }
   node->box = common_of(node->box, around);
   add_turning(*node, all, middle);
@@ -423,8 +423,8 @@ DoubleInterval CurveTree::curvature_of(const CurveNode& arc) const {
   const RealBall turn = subtract(product_of(0, 1, 1, 2), product_of(1, 1, 0, 2), arc_bits);
   const RealBall square = add(product_of(0, 1, 0, 1), product_of(1, 1, 1, 1), arc_bits);
   const RealBall cube = multiply(square, sqrt(square, arc_bits), arc_bits);
-  return interval_of(divide(times_power_of_two(multiply(turn, RealBall(arc.first_sign, 64), 64), 1),
-                            cube, arc_bits));
+  return doubles_around(divide(
+      times_power_of_two(multiply(turn, RealBall(arc.first_sign, 64), 64), 1), cube, arc_bits));
 }
 
 /// Do they part where the second one turns back behind the first one?

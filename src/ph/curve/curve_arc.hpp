@@ -12,6 +12,8 @@ struct DoubleInterval {
   double lower;
   double upper;
 };
+/// With all numbers of the ball; of all numbers where it has no bounds.
+DoubleInterval doubles_around(const RealBall& x);
 /// Two coordinates.
 using PlaneBox = std::array<DoubleInterval, 2>;
 /// Two coordinates of a curve.

@@ -10,7 +10,6 @@
 #include "phrame/ph/offset/coincidence.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "phrame/algebra/algebraic_image.hpp"
@@ -61,9 +60,9 @@ class ModularCurve {
            power(*other.mark_, degree() / common, prime);
   }
 
-  /// May a point of the other curve, that at a certain t, be one of this curve for more than
-  /// `least` t, complex ones, too?
-  bool may_visit(const ModularCurve& other, long least) const {
+  /// For how many t, complex ones, too, a point of the other curve, that at a certain t, is one of
+  /// this curve, at most; no value where that is not seen.
+  std::optional<long> most_visits(const ModularCurve& other) const {
     constexpr Word sample = 12345;
     const Word w = evaluate(other.x_[2], sample);
     const auto gap = [&](std::size_t k) {
@@ -80,8 +79,8 @@ class ModularCurve {
     const auto is_whole = [&](const ModularPolynomial& p, std::size_t k) {
       return p.degree() == std::max(degrees_[k], degrees_[2]);
     };
-    if (!is_whole(a, 0) && !is_whole(b, 1)) return true;
-    return common_degree(a, b) > least;
+    if (!is_whole(a, 0) && !is_whole(b, 1)) return std::nullopt;
+    return common_degree(a, b);
   }
 
  private:
@@ -94,12 +93,7 @@ class ModularCurve {
 
 /// The first two of these coordinates.
 PlaneBox plane_box(const Vector<RealBall>& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto interval = [&](std::size_t k) {
-    if (!x[k].is_finite()) return DoubleInterval{-infinity, infinity};
-    return DoubleInterval{-upper_double(subtract({}, x[k], 64)), upper_double(x[k])};
-  };
-  return {interval(0), interval(1)};
+  return {doubles_around(x[0]), doubles_around(x[1])};
 }
 
 PlaneBox box_at(const RationalCurve& curve, const Rational& t) {
@@ -252,8 +246,7 @@ std::array<RealAlgebraic, 2> range(const CurveCourse& course, const Interval& pa
 
 /// The t at which a curve goes through a point, where there is one, complex ones counted.
 std::optional<Rational> only_place(const RationalCurve& curve, const Vector<Rational>& at) {
-  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
-  const Polynomial common = gcd(gap(0), gap(1));
+  const Polynomial common = visits_of(curve, at);
   if (common.degree() != 1) return std::nullopt;
   return -common.coefficient(0) / common.coefficient(1);
 }
@@ -358,7 +351,7 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
     all.push_back(plane_box(series.boxes[k]));
     ends.push_back({box_at(curves[k], 0), box_at(curves[k], 1)});
     order.push_back(k);
-    if (is_straight(k) ? !turning_[k].reversals.empty() : images[k].may_visit(images[k], 1))
+    if (is_straight(k) ? !turning_[k].reversals.empty() : images[k].most_visits(images[k]) != 1)
       add(k, k, curves, false);
   }
   const auto lower = [&](std::size_t k) { return all[k][0].lower; };
@@ -378,13 +371,15 @@ Coincidences::Coincidences(const OffsetBranches& branches, const CurveSeries& se
   for (auto a = order.begin(); a != order.end(); ++a)
     for (auto b = a + 1; b != order.end() && lower(*b) <= all[*a][0].upper; ++b) {
       const auto [first, second] = std::minmax(*a, *b);
-      if (is_straight(first) && is_straight(second)
-              ? !are_apart(all[first], all[second])
-              : (may_turn_on(first, second) || may_end_on(first, second) ||
-                 may_end_on(second, first)) &&
-                    !images[first].is_apart_from(images[second]) &&
-                    images[second].may_visit(images[first], 0))
-        add(first, second, curves, !images[second].may_visit(images[first], 1));
+      if (is_straight(first) && is_straight(second)) {
+        if (!are_apart(all[first], all[second])) add_lines(first, second, curves);
+        continue;
+      }
+      if (!may_turn_on(first, second) && !may_end_on(first, second) && !may_end_on(second, first))
+        continue;
+      if (images[first].is_apart_from(images[second])) continue;
+      const auto visits = images[second].most_visits(images[first]);
+      if (visits != 0) add(first, second, curves, visits == 1);
     }
   std::ranges::sort(parts_, {}, [](const CoincidentParts& x) {
     return std::tuple(x.first_segment, x.first_from, x.second_segment, x.second_from);

@@ -93,12 +93,12 @@ bool is_beyond(const PlaneBox& a, const PlaneBox& b, double reach) {
 
 /// All values of a polynomial with these Bernstein coefficients.
 DoubleInterval range_of(const std::vector<RealBall>& bernstein) {
-  constexpr long bits = 64;
   DoubleInterval range{std::numeric_limits<double>::infinity(),
                        -std::numeric_limits<double>::infinity()};
   for (const RealBall& c : bernstein) {
-    range.lower = std::min(range.lower, -upper_double(subtract({}, c, bits)));
-    range.upper = std::max(range.upper, upper_double(c));
+    const DoubleInterval here = doubles_around(c);
+    range.lower = std::min(range.lower, here.lower);
+    range.upper = std::max(range.upper, here.upper);
   }
   return range;
 }

@@ -21,11 +21,15 @@ Interval interval_of(const CurvePart& part) {
   return closed_interval(exact_sum(part.lower, 0).midpoint(), exact_sum(part.upper, 0).midpoint());
 }
 
+Polynomial visits_of(const RationalCurve& curve, const Vector<Rational>& at) {
+  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
+  return gcd(gap(0), gap(1));
+}
+
 std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
                                    const Interval& where) {
-  const auto gap = [&](std::size_t k) { return curve.numerator()[k] - at[k] * curve.weight(); };
   std::vector<RealAlgebraic> places;
-  const Polynomial common = gcd(gap(0), gap(1));
+  const Polynomial common = visits_of(curve, at);
   if (common.is_constant()) return places;
   for (const RealRoot& root : real_roots(common, where)) places.push_back(root.at);
   return places;
@@ -122,35 +126,35 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
   }
 }
 
-/// Moves what is decided by algebra or in balls, what takes least first, and adds what is known of
-/// parts that coincide.
-void decide_touching(SelfIntersections& result, const OffsetBranches& offset,
-                     const CurveSeries& series, const std::vector<KnownMeeting>& known) {
-  std::vector<PointPair> told;
-  const auto add = [&](const KnownMeeting& x) {
-    const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
-                                    at_start(offset, {x.second_segment, x.second_t}));
-    if (are_same(pair.first, pair.second) || contains(told, pair)) return;
-    told.push_back(pair);
-    result.touching.push_back(
-        {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
+/// Once each.
+void add_touching(SelfIntersections& result, const OffsetBranches& offset, const KnownMeeting& x) {
+  const auto& [a, b] = in_order(at_start(offset, {x.first_segment, x.first_t}),
+                                at_start(offset, {x.second_segment, x.second_t}));
+  const auto is_that = [&](const KnownMeeting& y) {
+    return are_same({y.first_segment, y.first_t}, a) && are_same({y.second_segment, y.second_t}, b);
   };
-  for (const KnownMeeting& x : known) add(x);
-  ExactMeetings exact(offset, series);
-  const auto decide = [&](bool are_only_quick) {
-    std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
-      if (are_only_quick && !exact.is_quick(place)) return false;
-      const auto meetings = exact.between(place);
-      if (!meetings) return false;
-      for (const Crossing& x : meetings->crossings) add_once(result.found, x);
-      for (const KnownMeeting& x : meetings->touching) add(x);
-      return true;
-    });
-  };
-  decide(true);
-  CloseSearch close(series);
-  look_closer(series, close, result);
-  decide(false);
+  if (!are_same(a, b) && std::ranges::none_of(result.touching, is_that))
+    result.touching.push_back({a.piece, a.t, b.piece, b.t, x.crosses});
+}
+
+/// With what is known of parts that coincide.
+void add_coincidences(SelfIntersections& result, const OffsetBranches& offset,
+                      const Coincidences& coincidences) {
+  for (const KnownMeeting& x : coincidences.points()) add_touching(result, offset, x);
+  result.coincident = coincidences.parts();
+}
+
+/// Moves what algebra decides, of all that is undecided or where resultants are short.
+void decide_exactly(SelfIntersections& result, const OffsetBranches& offset, ExactMeetings& exact,
+                    bool are_only_quick) {
+  std::erase_if(result.undecided, [&](const UndecidedCrossing& place) {
+    if (are_only_quick && !exact.is_quick(place)) return false;
+    const auto meetings = exact.between(place);
+    if (!meetings) return false;
+    for (const Crossing& x : meetings->crossings) add_once(result.found, x);
+    for (const KnownMeeting& x : meetings->touching) add_touching(result, offset, x);
+    return true;
+  });
 }
 
 /// Touching where parts that coincide both start or end is no place of its own.
@@ -242,10 +246,18 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
     result = self_intersections(series, query);
     add_to(result, branches, pairs);
   }
-  decide_touching(result, branches, series, coincidences.points());
-  result.coincident = coincidences.parts();
+  add_coincidences(result, branches, coincidences);
+  // What takes least is tried first.
+  ExactMeetings exact(branches, series);
+  decide_exactly(result, branches, exact, true);
+  look_closer(series, result);
+  decide_exactly(result, branches, exact, false);
   remove_common_ends(result, branches);
   return result;
+}
+
+void narrow(std::vector<Crossing>& crossings, const CurveSeries& series, long bits) {
+  for (Crossing& x : crossings) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
 }
 
 /// With parameters known to so many bits.
@@ -255,7 +267,7 @@ SelfIntersections self_intersections(const OffsetBranches& branches, const Curve
   CrossingQuery query;
   query.has_near_cusps = has_near_cusps;
   SelfIntersections result = self_intersections(branches, series, coincidences, std::move(query));
-  for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
+  narrow(result.found, series, bits);
   return result;
 }
 
@@ -267,18 +279,18 @@ std::optional<SelfIntersections> by_algebra(const OffsetBranches& branches,
   constexpr std::size_t most_curves = 6;
   if (branches.curves.size() > most_curves) return std::nullopt;
   SelfIntersections result;
-  const ExactMeetings exact(branches, series);
+  ExactMeetings exact(branches, series);
   for (std::size_t a = 0; a < branches.curves.size(); ++a)
     for (std::size_t b = a; b < branches.curves.size(); ++b) {
-      const UndecidedCrossing& all =
-          result.undecided.emplace_back(UndecidedCrossing{{a, 0, 1}, {b, 0, 1}});
+      const UndecidedCrossing all{{a, 0, 1}, {b, 0, 1}};
       if (!exact.is_quick(all)) return std::nullopt;
+      result.undecided.push_back(all);
     }
-  decide_touching(result, branches, series, coincidences.points());
+  add_coincidences(result, branches, coincidences);
+  decide_exactly(result, branches, exact, true);
   if (!result.is_complete()) return std::nullopt;
-  result.coincident = coincidences.parts();
   remove_common_ends(result, branches);
-  for (Crossing& x : result.found) std::tie(x.first_t, x.second_t) = narrowed(series, x, bits);
+  narrow(result.found, series, bits);
   return result;
 }
 

@@ -13,7 +13,9 @@ SelfIntersections self_intersections(const Offset& offset, long bits = 64);
 
 /// The parameters of the part.
 Interval interval_of(const CurvePart& part);
-/// Where in that interval the curve goes through the point.
+/// A polynomial whose roots are the t at which the curve goes through the point, complex ones, too.
+Polynomial visits_of(const RationalCurve& curve, const Vector<Rational>& at);
+/// Those of them in an interval.
 std::vector<RealAlgebraic> through(const RationalCurve& curve, const Vector<Rational>& at,
                                    const Interval& where);
 

@@ -97,10 +97,8 @@ TwoSides::TwoSides(const PhPath& path, std::vector<std::optional<SideFoot>> feet
     const PlaneTangent tangent = plane_tangent(curve);
     tangents_.push_back({tangent.x, tangent.y, {}});
     Stretches stretches{sign_after_zero(curve.multiplier()), {}};
-    for (const RealAlgebraic& t : sign_changes(curve.multiplier())) {
-      const RealBall at = enclose(t, side_bits);
-      stretches.breaks.push_back({-upper_double(subtract({}, at, side_bits)), upper_double(at)});
-    }
+    for (const RealAlgebraic& t : sign_changes(curve.multiplier()))
+      stretches.breaks.push_back(doubles_around(enclose(t, side_bits)));
     stretches_.push_back(std::move(stretches));
     const long degree = std::max(tangent.x.degree(), tangent.y.degree());
     const std::vector<Rational> x = to_bernstein(tangent.x, degree);
