@@ -128,13 +128,15 @@ void add_to(SelfIntersections& result, const OffsetBranches& offset,
 
 /// Once each.
 void add_touching(SelfIntersections& result, const OffsetBranches& offset, const KnownMeeting& x) {
-  const auto& [a, b] = in_order(at_start(offset, {x.first_segment, x.first_t}),
-                                at_start(offset, {x.second_segment, x.second_t}));
+  const PointPair pair = in_order(at_start(offset, {x.first_segment, x.first_t}),
+                                  at_start(offset, {x.second_segment, x.second_t}));
   const auto is_that = [&](const KnownMeeting& y) {
-    return are_same({y.first_segment, y.first_t}, a) && are_same({y.second_segment, y.second_t}, b);
+    return are_same({y.first_segment, y.first_t}, pair.first) &&
+           are_same({y.second_segment, y.second_t}, pair.second);
   };
-  if (!are_same(a, b) && std::ranges::none_of(result.touching, is_that))
-    result.touching.push_back({a.piece, a.t, b.piece, b.t, x.crosses});
+  if (!are_same(pair.first, pair.second) && std::ranges::none_of(result.touching, is_that))
+    result.touching.push_back(
+        {pair.first.piece, pair.first.t, pair.second.piece, pair.second.t, x.crosses});
 }
 
 /// With what is known of parts that coincide.
