@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Tuple, Union
 
 if TYPE_CHECKING:
-    from ._phrame import Path, Polynomial, Real
+    from ._phrame import Path, Polynomial, RationalFunction, Real
 
     Exact = Union[Fraction, Real]
 
@@ -74,10 +74,11 @@ class OffsetBranch(NamedTuple):
 class TwoSidedOffset(NamedTuple):
     """The offset of a curve that is not PH: one curve X/W, Y/W of a parameter m for both sides."""
 
-    t: Tuple[Polynomial, Polynomial]  #: of the curve, by m: numerator and denominator
+    t: Tuple[Polynomial, Polynomial]  #: of the curve, by m: numerator and denominator; or s, where there is one
     x: Polynomial
     y: Polynomial
     weight: Polynomial
+    s: Optional[RationalFunction]  #: of t, of a curve that is traced several times, as another one is by s once
 
 
 class CheckedPlace(NamedTuple):

@@ -11,8 +11,11 @@ NamedPath of_preimage(QuaternionPolynomial a, nb::handle multiplier, nb::handle 
                       const std::string& name, const std::string& basis) {
   Vector<Rational> from{};
   if (!start.is_none()) from = vector(start, "start");
-  if (nb::isinstance<RationalFunction>(multiplier))
-    return NamedPhPath(name, rational_ph_curve(a, nb::cast<RationalFunction>(multiplier), from));
+  if (nb::isinstance<RationalFunction>(multiplier)) {
+    const auto f = nb::cast<RationalFunction>(multiplier);
+    return NamedPhPath(name,
+                       at_argument("multiplier", [&] { return rational_ph_curve(a, f, from); }));
+  }
   Polynomial f{1};
   if (!multiplier.is_none()) f = polynomial(multiplier, "multiplier", basis);
   return NamedPhPath(name, Curve(std::move(a), std::move(f), std::move(from)));

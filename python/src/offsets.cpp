@@ -30,18 +30,8 @@ struct OffsetCheckObject {
   nb::object recipe;
 };
 
-/// make(), for which an argument is not what is asked for where it throws DomainErrors.
-template <class Make>
-auto made_of(const std::string& argument, const Make& make) {
-  try {
-    return without_gil(make);
-  } catch (const DomainError& error) {
-    throw InputError(argument, error.what());
-  }
-}
-
 Gauge gauge_along(const Path& path, const std::string& argument) {
-  return made_of(argument, [path] { return Gauge(path); });
+  return at_argument(argument, [path] { return Gauge(path); });
 }
 
 nb::object gauge_of(nb::handle path) {
@@ -92,8 +82,8 @@ nb::object offset_of(nb::handle self, nb::handle distance, nb::handle join, Flag
 nb::object near_ph(nb::handle self, nb::handle epsilon) {
   const Rational within = rational(epsilon, "epsilon");
   if (within.sign() <= 0) refuse("epsilon", "it is not positive", epsilon);
-  return wrap(
-      made_of("path", [=, named = path_of(self).named] { return near_ph_path(named, within); }));
+  return wrap(at_argument(
+      "path", [=, named = path_of(self).named] { return near_ph_path(named, within); }));
 }
 
 const OffsetAnswer& offset_answer(nb::handle self) {
@@ -206,7 +196,7 @@ nb::object offset_two_sided(nb::handle self) {
   return record(
       "TwoSidedOffset",
       nb::make_tuple(nb::cast(x.parameter.numerator()), nb::cast(x.parameter.denominator())),
-      nb::cast(x.numerator[0]), nb::cast(x.numerator[1]), nb::cast(x.weight));
+      nb::cast(x.numerator[0]), nb::cast(x.numerator[1]), nb::cast(x.weight), nb::cast(x.once));
 }
 
 /// Of all of it; of one that is trimmed the sum over its branches.

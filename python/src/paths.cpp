@@ -71,12 +71,22 @@ NamedPhPath with_preimages_of(const PathObject& path, const char* asked) {
               "] is no Pythagorean-hodograph curve");
 }
 
-const Curve& curve_of(const PathObject& path, const char* asked) {
-  const auto& segments = ph_of(path, asked).path.segments();
+void require_one(const std::vector<Curve>& segments, const char* asked) {
   if (segments.size() > 1)
     refuse_part(asked + (": of one curve; there are " + std::to_string(segments.size()) +
                          ", each in path.segments"));
+}
+
+const Curve& curve_of(const PathObject& path, const char* asked) {
+  const auto& segments = ph_of(path, asked).path.segments();
+  require_one(segments, asked);
   return segments.front();
+}
+
+Curve curve_with_preimage_of(const PathObject& path, const char* asked) {
+  const NamedPhPath found = with_preimages_of(path, asked);
+  require_one(found.path.segments(), asked);
+  return found.path.segments().front();
 }
 
 nb::object attribute_recipe(nb::handle self, const char* name) {

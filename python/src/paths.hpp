@@ -17,6 +17,16 @@ struct PathObject {
 };
 using PathClass = nb::class_<PathObject>;
 
+/// make(), for which an argument is not what is asked for where it throws DomainErrors.
+template <class Make>
+auto at_argument(const std::string& argument, const Make& make) {
+  try {
+    return without_gil(make);
+  } catch (const DomainError& error) {
+    throw InputError(argument, without_place(error.what(), argument));
+  }
+}
+
 nb::object wrap(NamedPath named);
 const PathObject& path_of(nb::handle self);
 /// The path that an argument is.
@@ -25,11 +35,12 @@ const PathObject& path_argument(nb::handle x, std::string_view place);
 /// "segments[1] is no Pythagorean-hodograph curve".
 std::string why_not_ph(const Path& path);
 /// @{ The path of polynomial PH curves, that of PH curves with rational ones among them, the one
-/// polynomial PH curve that it is. Throws DomainError, which names what was asked for, and the
-/// segment that is none.
+/// polynomial PH curve that it is, the one PH curve, which may be rational. Throws DomainError,
+/// which names what was asked for, and the segment that is none.
 const NamedPhPath& ph_of(const PathObject& path, const char* asked);
 NamedPhPath with_preimages_of(const PathObject& path, const char* asked);
 const Curve& curve_of(const PathObject& path, const char* asked);
+Curve curve_with_preimage_of(const PathObject& path, const char* asked);
 /// @}
 
 /// Where f₂ starts without `start_normal`, and what an angle `start` is counted from.

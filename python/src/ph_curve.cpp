@@ -1,41 +1,51 @@
 #include "paths.hpp"
 
-// What there is of one PH curve: of another path a DomainError says which segment is none, or that
-// there are several. And transformations, which are there of all.
+// What there is of one PH curve, polynomial or rational: of another path a DomainError says which
+// segment is none, or that there are several. And transformations, which are there of all.
 namespace phrame::inline v0::python {
 namespace {
 
 nb::tuple polynomials(const Vector<Polynomial>& v) { return nb::make_tuple(v[0], v[1], v[2]); }
 
 void bind_properties(PathClass& path) {
-#define PHRAME_PROPERTY(name, of, type, what)      \
-  path.def_prop_ro(                                \
-      name,                                        \
-      [](const PathObject& self) {                 \
-        const Curve& curve = curve_of(self, name); \
-        return of;                                 \
-      },                                           \
+#define PHRAME_PROPERTY_OF(asked_of, name, of, type, what) \
+  path.def_prop_ro(                                        \
+      name,                                                \
+      [](const PathObject& self) {                         \
+        const Curve curve = asked_of(self, name);          \
+        return of;                                         \
+      },                                                   \
       nb::sig("def " name "(self) -> " type), what)
+#define PHRAME_PROPERTY(name, of, type, what) \
+  PHRAME_PROPERTY_OF(curve_with_preimage_of, name, of, type, what)
 #define PHRAME_POLYNOMIALS_SIG "tuple[Polynomial, Polynomial, Polynomial]"
   PHRAME_PROPERTY("preimage",
                   nb::make_tuple(curve.preimage().u, curve.preimage().v, curve.preimage().p,
                                  curve.preimage().q),
                   "tuple[Polynomial, Polynomial, Polynomial, Polynomial]", "A = u + vi + pj + qk.");
-  PHRAME_PROPERTY("multiplier", curve.multiplier(), "Polynomial", "f of r′ = f·A i A*.");
+  PHRAME_PROPERTY("multiplier", curve.multiplier(), "Polynomial",
+                  "f of r′ = f·A i A*, or of r′ = f/W²·A i A*.");
+  PHRAME_PROPERTY("weight", curve.weight(), "Polynomial", "W of r = X/W, 1 if r is polynomial.");
+  PHRAME_PROPERTY("numerator", polynomials(numerator(curve)), PHRAME_POLYNOMIALS_SIG,
+                  "X of r = X/W, r if that is polynomial.");
   PHRAME_PROPERTY("start", to_python(curve.start()), PHRAME_VECTOR_SIG, "r(0).");
   PHRAME_PROPERTY("degree", degree(curve), "int", "Of r.");
-  PHRAME_PROPERTY("hodograph", polynomials(hodograph(curve)), PHRAME_POLYNOMIALS_SIG, "r′.");
-  PHRAME_PROPERTY("position", polynomials(position(curve)), PHRAME_POLYNOMIALS_SIG, "r.");
+  PHRAME_PROPERTY_OF(curve_of, "hodograph", polynomials(hodograph(curve)), PHRAME_POLYNOMIALS_SIG,
+                     "r′ of a polynomial curve.");
+  PHRAME_PROPERTY_OF(curve_of, "position", polynomials(position(curve)), PHRAME_POLYNOMIALS_SIG,
+                     "r of a polynomial curve.");
   PHRAME_PROPERTY("sigma", sigma(curve.preimage()), "Polynomial", "σ = |A|².");
   PHRAME_PROPERTY("h", twist_numerator(curve.preimage()), "Polynomial", "uv′ − u′v − pq′ + p′q.");
   PHRAME_PROPERTY("rho", rho(curve.preimage()), "Polynomial", "4|g|².");
   PHRAME_PROPERTY("squared_curvature", squared_curvature(curve), "RationalFunction", "κ².");
   PHRAME_PROPERTY("torsion_function", torsion(curve), "RationalFunction", "τ of t.");
 #undef PHRAME_PROPERTY
+#undef PHRAME_PROPERTY_OF
   path.def_prop_ro(
           "g",
           [](const PathObject& self) {
-            const GaussianPolynomial g = bend_numerator(curve_of(self, "g").preimage());
+            const GaussianPolynomial g =
+                bend_numerator(curve_with_preimage_of(self, "g").preimage());
             return nb::make_tuple(g.re, g.im);
           },
           nb::sig("def g(self) -> tuple[Polynomial, Polynomial]"),

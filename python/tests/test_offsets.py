@@ -232,7 +232,7 @@ def test_gauges():
     beside = circle.translated([1, 0, 0])
     with pytest.raises(phrame.InputError, match="^path: gauge: it is not symmetric"):
         phrame.Gauge.of(beside)
-    with pytest.raises(phrame.InputError, match="^gauge: gauge: it is not symmetric"):
+    with pytest.raises(phrame.InputError, match="^gauge: it is not symmetric"):
         CUBIC.offset(1, gauge=beside)
     with pytest.raises(TypeError, match="gauge: a Gauge or a Path is wanted"):
         CUBIC.offset(1, gauge=3)
@@ -286,7 +286,7 @@ def test_what_has_no_offset():
     for path, reason in (
         (QUINTIC, "^path: the curve is in no plane z = const$"),
         (phrame.Path([CUBIC, phrame.Curve([1], [0], [1], [1], start=CUBIC.point(1))]), "^path: segment 2 is in no plane z = const$"),
-        (phrame.Path.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0], [3, 1, 0]]), "^path: it is not Pythagorean-hodograph"),
+        (phrame.Path.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 0], [3, 1, 0]]), "^path: (it is not Pythagorean-hodograph|the path is not PH, so that its offset is not rational)$"),
     ):
         for ask in (
             lambda path: path.offset(1),
@@ -297,7 +297,7 @@ def test_what_has_no_offset():
         ):
             with pytest.raises(phrame.InputError, match=reason):
                 ask(path)
-    with pytest.raises(phrame.InputError, match="^path: it is not Pythagorean-hodograph"):
+    with pytest.raises(phrame.InputError, match="^path: the path is not PH: its offset is rational for both sides together, which is not trimmed$"):
         parabola.offset(1, trim=True)
     with pytest.raises(phrame.InputError, match="^path: segment 1 is not in a plane z = const$"):
         phrame.Path.bezier([[0, 0, 0], [1, 0, 0], [1, 1, 1]]).near_ph("1e-3")

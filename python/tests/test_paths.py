@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import phrame
+from phrame import Polynomial, RationalFunction
 from common import QUINTIC, ROOT
 
 SPLINE = phrame.Path([QUINTIC.segment(0, "1/3"), QUINTIC.segment("1/3", 1)], "spline")
@@ -21,8 +22,9 @@ CONIC = phrame.Path.bezier([[1, 0, 0], [1, 1, 0], [0, 1, 0]], [1, 1, 2])
 HELIX = phrame.Path.expressions("cos(s)", "sin(s)", "s", 0, "2*pi")
 MIXED = phrame.Path([LINE, phrame.Path.bezier([[1, 0, 0], [2, 0, 0], [4, 0, 5]])], "mixed")
 KINDS = {"ph": [QUINTIC, SPLINE, LINE], "polynomial": [CUBIC], "rational": [CONIC], "expressions": [HELIX], "mixed": [MIXED]}
-OF_ONE = ("preimage", "multiplier", "start", "degree", "hodograph", "position", "sigma", "h", "g", "rho", "control_points",
-          "squared_curvature", "torsion_function")
+OF_POLYNOMIAL = ("hodograph", "position", "control_points")
+OF_ONE = ("preimage", "multiplier", "weight", "numerator", "start", "degree", "sigma", "h", "g", "rho", "squared_curvature",
+          "torsion_function")
 OF_PH = ("erf_twist",)
 
 
@@ -49,9 +51,9 @@ def test_there_is_one_class():
     assert phrame.Path.bezier(QUINTIC.control_points) == phrame.Path.from_control_points(QUINTIC.control_points)
 
 
-@pytest.mark.parametrize("name", OF_ONE + OF_PH)
+@pytest.mark.parametrize("name", OF_POLYNOMIAL + OF_ONE + OF_PH)
 def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
-    for path, segment in ((CUBIC, 0), (CONIC, 0), (HELIX, 0), (MIXED, 1)):
+    for path, segment in ((CUBIC, 0), (HELIX, 0), (MIXED, 1)) + (() if name in OF_ONE else ((CONIC, 0),)):
         with pytest.raises(phrame.DomainError, match=rf"^{name}: segments\[{segment}\] is no (polynomial )?Pythagorean-hodograph curve$"):
             asked(path, name)
     asked(QUINTIC, name)
@@ -60,6 +62,20 @@ def test_what_needs_ph_curves_names_the_segment_that_is_none(name):
     else:
         with pytest.raises(phrame.DomainError, match=rf"^{name}: of one curve; there are 2, each in path.segments$"):
             asked(SPLINE, name)
+
+
+def test_what_a_rational_ph_curve_is_made_of():
+    a = (Polynomial([1]), Polynomial([0, 1]), Polynomial([0]), Polynomial([0, 0, 1]))
+    w = phrame.Path.from_preimage(*a, multiplier=RationalFunction([3, 0, -10, 0, 3], [1, 0, 5, 0, 10, 0, 10, 0, 5, 0, 1]), start=[1, 2, 3])
+    assert w.preimage == a and w.start == w.point(0) == (1, 2, 3)
+    assert w.sigma == Polynomial([1, 0, 1, 0, 1]) and w.h == QUINTIC.from_preimage(*a).h and w.rho == QUINTIC.from_preimage(*a).rho
+    x, y, z = w.numerator
+    for t in (0, Fraction(1, 3), 1):
+        assert (x(t) / w.weight(t), y(t) / w.weight(t), z(t) / w.weight(t)) == w.point(t)
+        # |r'| = f sigma/W^2, and r' by the quotient rule.
+        slopes = [(p.derivative()(t) * w.weight(t) - p(t) * w.weight.derivative()(t)) for p in w.numerator]
+        assert sum(slope**2 for slope in slopes) == (w.multiplier(t) * w.sigma(t)) ** 2
+        assert w.squared_curvature(t) == w.rho(t) * w.weight(t) ** 4 / (w.multiplier(t) ** 2 * w.sigma(t) ** 4)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -265,7 +281,7 @@ def test_a_rational_multiplier():
     path = phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=f)
     assert path.kind == "rational" and not path.is_ph and pickle.loads(pickle.dumps(path)) == path
     assert path.point(0) == (0, 0, 0) and path.length == Fraction(29, 4320)
-    with pytest.raises(phrame.DomainError, match="x has a logarithm: its residues at the roots of t \\+ 2 are not 0"):
+    with pytest.raises(phrame.InputError, match="^multiplier: x has a logarithm: its residues at the roots of t \\+ 2 are not 0"):
         phrame.Path.from_preimage([1], [0, 1], [0], [0, 0, 1], multiplier=phrame.RationalFunction([1], [16, 32, 24, 8, 1]))
 
 

@@ -29,8 +29,7 @@ Polynomial inner_candidate(const Polynomial& d, long k) {
   return Polynomial(h);
 }
 
-}  // namespace
-
+/// p₁ with p = p₁∘h, where there is one. Precondition: deg h ≥ 1.
 std::optional<Polynomial> outer_of(Polynomial p, const Polynomial& h) {
   std::vector<Rational> digits;
   while (!p.is_zero()) {
@@ -41,6 +40,8 @@ std::optional<Polynomial> outer_of(Polynomial p, const Polynomial& h) {
   }
   return Polynomial(digits);
 }
+
+}  // namespace
 
 std::optional<Decomposition> decomposition(const Polynomial& n, const Polynomial& d, long k) {
   const Polynomial h = inner_candidate(d, k);

@@ -5,9 +5,6 @@
 
 namespace phrame::inline v0 {
 
-/// p₁ with p = p₁∘h, where there is one. Precondition: deg h ≥ 1.
-std::optional<Polynomial> outer_of(Polynomial p, const Polynomial& h);
-
 /// n/d·dt = outer_n(h)/outer_d(h)·dh: a fraction that is one of h(t), times h′. Then it has at t
 /// the residue of outer_n/outer_d at h(t).
 struct Decomposition {

@@ -44,4 +44,9 @@ class PHRAME_API InputError : public Error {
   std::string reason_;
 };
 
+/// What an error says, without the place where it begins with that: it is told once.
+inline std::string without_place(const std::string& what, const std::string& place) {
+  return what.starts_with(place + ": ") ? what.substr(place.size() + 2) : what;
+}
+
 }  // namespace phrame

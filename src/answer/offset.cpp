@@ -289,7 +289,11 @@ std::vector<OffsetAnswer::Trimmed> pocket(const Path& path, const Trimming& trim
   if (query.distances.size() != 1)
     throw InputError("pocket", "one distance is wanted, of which the others are multiples");
   const Rational& d = query.distances.front();
-  if (!path.is_closed()) throw InputError("pocket", "the path is open");
+  if (!path.is_closed())
+    throw InputError("pocket", !path.ends_meet() ? "the path is open"
+                               : path.ends_turned_over()
+                                   ? "the path turns back at an odd number of cusps"
+                                   : "the tangent turns back where the ends meet");
   if (sign_of(signed_area(path)) * d.sign() >= 0)
     throw InputError("pocket", "the distance " + to_string(d) + " is to the outside of the path");
   // Mitres may be left far outside.
@@ -316,14 +320,11 @@ OffsetAnswer::Both both_of(const Rational& d, TwoSidedOffset offset) {
 
 /// Of a path that is not PH.
 std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& query) {
-  const auto refuse = [] {
-    throw InputError("path", "it is not Pythagorean-hodograph, so that its offset is not rational");
-  };
-  const RationalCurve* curve =
-      path.segments().size() == 1 ? rational_curve(path.segments().front()) : nullptr;
-  if (curve == nullptr || query.trim || query.pocket) refuse();
-  const OffsetKind kind = offset_kind(*curve);
-  if (kind.kind == OffsetKind::Kind::each_side && kind.radicand != 1)
+  if (const auto why = why_no_offset(path, !query.trim && !query.pocket))
+    throw InputError("path", *why);
+  const RationalCurve& curve = *rational_curve(path.segments().front());
+  const OffsetKind kind = offset_kind(curve);
+  if (kind.kind == OffsetKind::Kind::each_side)
     throw DomainError(fmt::format("offset: the offset is rational over ℚ(√{}), not over ℚ",
                                   to_string(kind.radicand)));
   if (kind.prime != 0)
@@ -331,10 +332,9 @@ std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& 
         "offset: the two-sided offset is rational over ℚ(√{}), not over ℚ, as y² = {} has no "
         "point modulo powers of {}",
         to_string(kind.radicand), to_string(kind.squarefree), to_string(kind.prime)));
-  if (!kind.conic) refuse();
   std::vector<OffsetAnswer::Both> found;
   for (const Rational& d : query.distances)
-    found.push_back(both_of(d, two_sided_offset(*curve, kind, d, query.digits)));
+    found.push_back(both_of(d, two_sided_offset(curve, kind, d, query.digits)));
   return found;
 }
 
@@ -436,6 +436,33 @@ void require_plane(const Path& path, const std::string& place) {
                                   ? "the curve is in no plane z = const"
                                   : fmt::format("segment {} is in no plane z = const", k + 1));
   }
+}
+
+std::optional<std::string> why_no_offset(const Path& path, bool is_whole) {
+  const auto& segments = path.segments();
+  const auto other = std::ranges::find_if_not(segments, ph_curve);
+  const bool is_one = segments.size() == 1;
+  const std::string no_ph = is_one
+                                ? "the path is not PH"
+                                : fmt::format("segment {} is not PH", other - segments.begin() + 1);
+  const RationalCurve* curve = rational_curve(*other);
+  if (curve == nullptr) return no_ph + ", but given by formulas";
+  const OffsetKind kind = offset_kind(*curve);
+  using Kind = OffsetKind::Kind;
+  if (kind.kind == Kind::none) return no_ph + ", so that its offset is not rational";
+  if (kind.kind == Kind::undecided)
+    return no_ph + ", and whether its offset is rational is undecided";
+  const bool is_decided = kind.kind == Kind::each_side || kind.conic || kind.prime != 0;
+  if (is_one && is_whole && is_decided) return std::nullopt;
+  if (kind.radicand != 1)
+    return fmt::format("{}: its offset is rational over ℚ(√{}), not over ℚ", no_ph,
+                       to_string(kind.radicand));
+  if (!is_decided)
+    return no_ph +
+           ", and runs more than once along a curve of which the offset is rational for both sides "
+           "together";
+  return no_ph + ": its offset is rational for both sides together, " +
+         (is_one ? "which is not trimmed" : "which is given of a path of one segment");
 }
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {

@@ -133,6 +133,11 @@ struct OffsetAnswer {
 /// are no matter of this.
 PHRAME_API void require_plane(const Path& path, const std::string& place);
 
+/// Why a path that is not PH, of which require_plane() holds, has no rational offset to both sides
+/// together, or none that is given: of all of it, or trimmed. No value where it has one, perhaps
+/// over another field.
+PHRAME_API std::optional<std::string> why_no_offset(const Path& path, bool is_whole);
+
 /// Of a polynomial or rational curve that is not PH the two-sided offset where that is rational
 /// over ℚ. What is asked is wrong, an InputError, for a path in no plane z = const, for any other
 /// one that is not PH, under a gauge for formulas; for a distance 0; and for a pocket of an open

@@ -122,6 +122,12 @@ ExactParts exact_parts(const PhPath& path, const OffsetCheckQuery& query, const 
   return exact;
 }
 
+bool is_of_degree_1(const RationalCurve* curve) {
+  return curve->weight().is_constant() &&
+         std::ranges::all_of(curve->numerator(),
+                             [](const Polynomial& x) { return x.degree() < 2; });
+}
+
 }  // namespace
 
 OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) {
@@ -144,12 +150,20 @@ OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) 
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
       given.add_line(points[k], points[k + 1], number++);
   }
-  for (const Path& other : query.given.paths)
+  for (const Path& other : query.given.paths) {
+    std::vector<const RationalCurve*> curves;
     for (const Segment& segment : other.segments()) {
-      const RationalCurve* curve = rational_curve(segment);
-      if (curve == nullptr) throw InputError("given", "a curve by formulas is not checked");
-      given.add(*curve, 0, 1, static_cast<long>(number++), false);
+      curves.push_back(rational_curve(segment));
+      if (curves.back() == nullptr) throw InputError("given", "a curve by formulas is not checked");
+      given.add(*curves.back(), 0, 1, static_cast<long>(number++), false);
     }
+    const Vector<Rational> start = point(*curves.front(), 0);
+    const Vector<Rational> end = point(*curves.back(), 1);
+    if (exact.is_closed && std::ranges::all_of(curves, is_of_degree_1) && start != end) {
+      given.add_line(end, start, number++);
+      ++closed;
+    }
+  }
   if (number == 0) throw InputError("given", "there is nothing to check");
   OffsetCheckAnswer found{
       named,

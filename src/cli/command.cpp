@@ -99,13 +99,14 @@ std::string needs_polynomial(std::size_t k, std::size_t count) {
                      count == 1 ? "this" : fmt::format("segment {}", k + 1));
 }
 
-}  // namespace
-
+/// Throws InputError, of that file, where one is rational.
 void require_polynomial(const std::vector<Curve>& segments, const std::string& file) {
   for (std::size_t k = 0; k < segments.size(); ++k)
     if (!segments[k].is_polynomial())
       throw InputError(file, "this command " + needs_polynomial(k, segments.size()));
 }
+
+}  // namespace
 
 std::string needs_ph(const Path& path) {
   const auto& segments = path.segments();

@@ -258,8 +258,6 @@ auto at_place(const std::string& place, const std::string& separator, Read read)
 
 /// The path, or "standard input" for "-".
 std::string name_of_file(const std::string& path);
-/// Throws InputError, of that file, where one is rational.
-void require_polynomial(const std::vector<Curve>& segments, const std::string& file);
 
 /// The whole of a file, "-" being standard input. Throws InputError.
 std::string read_file(const std::string& path);

@@ -90,15 +90,10 @@ NamedPath read_curve(CurveOptions options, bool is_whole) {
   const auto& segments = named.path.segments();
   if (!std::ranges::all_of(segments, is_in_plane))
     return options.read_path_with_preimages();  // which says why it is not PH
-  using Kind = OffsetKind::Kind;
-  const Kind kind = segments.size() > 1 || !is_whole
-                        ? Kind::none
-                        : offset_kind(*rational_curve(segments.front())).kind;
-  if (kind == Kind::two_sided || kind == Kind::each_side)
-    return options.read_any_path();  // which says what PH curve is near
-  throw InputError(name_of_file(options.path),
-                   "the path is not PH, so that its offset is not rational: with --near EPS that "
-                   "of a PH path at most EPS away is taken");
+  if (const auto why = why_no_offset(named.path, is_whole))
+    throw InputError(name_of_file(options.path),
+                     *why + "; with --near EPS that of a PH path at most EPS away is taken");
+  return options.read_any_path();  // which says what PH curve is near
 }
 
 Gauge read_gauge(const std::string& file) {
@@ -159,10 +154,7 @@ void run_check(const OffsetOptions& options) {
   add_foreign(check.given, *options.given, options);
   CurveOptions curve = options.curve;
   curve.reading.skips_where_possible = true;  // --skip-invalid is for what is checked, too
-  const auto path = curve.near ? with_preimages(read_near(curve)).value() : curve.read_path();
-  require_plane(path.path, name_of_file(curve.path));
-  require_polynomial(path.path.segments(), name_of_file(curve.path));
-  const OffsetCheckAnswer found = answer(path, check);
+  const OffsetCheckAnswer found = answer(read_curve(curve, false), check);
   options.length.write(options.output.empty() ? "-" : options.output, print(found));
   if (!found.passes) throw AnswerNo{};
 }

@@ -95,11 +95,13 @@ void add_transform(Program& program) {
   Command& command =
       program.add("transform", "parts of a curve, or the curve moved, turned, stretched, exactly");
   const auto options = std::make_shared<TransformOptions>();
+  options->curve.is_for_frames = false;
   options->curve.add_to(command);
   command.writes("a curve in JSON", {"json", "jsonl"});
   command.add_flag(
       "--whole-line", options->is_whole_line,
-      "all of a rational curve, closed through t = infinity: from -1 to 1 and on to -1");
+      "all of a rational curve, closed through t = infinity: from -1 to 1 and on to -1, or\n"
+      "from -c to c, where it has a cusp at 1 or -1");
   command.add_option("--part", "FROM,TO", options->part,
                      "from there to there; backwards where FROM is behind TO");
   command.add_list("--split", "T,...", options->split,

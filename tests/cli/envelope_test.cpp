@@ -90,7 +90,7 @@ TEST_CASE("envelope: bad files are refused in one line, with the place") {
         "a square");
   CHECK(
       refusal(R"({"phrame": "mph/1", "segments": [{"control_points": [[0, 0, 1], [3, 4, 6]]}]})") ==
-      "/segments/0: this is no Minkowski PH curve: x'^2 + y'^2 - r'^2 is 0: each disc touches the "
+      "/segments/0: x'^2 + y'^2 - r'^2 is 0: each disc touches the "
       "next ones from inside, and there is no envelope");
   CHECK(refusal(R"({"phrame": "mph/1", "basis": "power", "x": [1], "y": [2], "r": [3]})") ==
         "/: all discs are one, so that there is no curve");

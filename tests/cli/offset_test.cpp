@@ -191,7 +191,7 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   const Run text = here.run("offset triangle.json --distance -1/2,-3 --trim");
   check_success(text);
   CHECK(contains(text.out, "from t = 3/8 to t = 7/8"));
-  CHECK(contains(text.out, "none: all of it is nearer"));
+  CHECK(contains(text.out, "none: but for single points all of it is nearer"));
   const Run json = here.run("offset triangle.json --distance -1/2 --trim --print json -o in.json");
   check_success(json);
   const Json part = Json::parse(json.out)["trimmed"][0];
@@ -221,9 +221,89 @@ TEST_CASE("offset: trimmed, in text, JSON and as a curve that other commands rea
   here.write("parabola.json",
              R"({"phrame": "curve/1", "control_points": [[0, 0, 0], ["1/2", 0, 0], [1, 1, 0]]})");
   for (const char* more : {" --trim", " --pocket"})
-    check_failure(here.run(std::string("offset parabola.json --distance 1 -o off.json") + more), 2,
-                  "phrame: parabola.json: the path is not PH, so that its offset is not rational");
+    check_failure(
+        here.run(std::string("offset parabola.json --distance 1 -o off.json") + more), 2,
+        "phrame: parabola.json: the path is not PH: its offset is rational for both sides "
+        "together, which is not trimmed; with --near EPS");
+  const auto refused = [&](const std::string& curve, const std::string& why) {
+    here.write("other.json",
+               R"({"phrame": "curve/1", "basis": "power", "position": )" + curve + "}");
+    check_failure(here.run("offset other.json --distance 1 -o off.json"), 2,
+                  "other.json: the path is not PH" + why);
+  };
+  refused(R"({"x": [0, 1], "y": [0, 0, 0, 1]})", ", so that its offset is not rational; with");
+  refused(R"({"x": [0, -1, 3], "y": [0, 0, 1, -6, 9]})",
+          ", and runs more than once along a curve of which");
+  here.write("two.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [1, 0, 0]]}, {"control_points": [[1, 0, 0], [2, 0, 0], [4, 1, 0]]}]})");
+  check_failure(
+      here.run("offset two.json --distance 1 -o off.json"), 2,
+      "two.json: segment 2 is not PH: its offset is rational for both sides together, which is "
+      "given of a path of one segment; with");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));
+}
+
+TEST_CASE("offset: a parabola that is traced twice has the offset of the one that is traced once") {
+  const Workshop here;
+  here.write(
+      "once.json",
+      R"({"phrame": "curve/1", "basis": "power", "position": {"x": [0, 1], "y": [0, 0, 1]}})");
+  here.write(
+      "twice.json",
+      R"({"phrame": "curve/1", "basis": "power", "position": {"x": [0, 0, 1], "y": [0, 0, 0, 0, 1]}})");
+  const Run once = here.run("offset once.json --distance 1/3");
+  const Run twice = here.run("offset twice.json --distance 1/3");
+  check_success(once);
+  check_success(twice);
+  const auto behind = [](const std::string& text) { return text.substr(text.find("\n  X ")); };
+  CHECK(behind(once.out) == behind(twice.out));
+  CHECK(contains(twice.out, "traced                several times, by s = t²\n  s   "));
+  CHECK(contains(here.run("info twice.json").out, "traced several times by s = t², by s = "));
+  const Run json = here.run("offset twice.json --distance 1/3 --print json");
+  CHECK(contains(json.out, R"("s": {)"));
+}
+
+TEST_CASE("offset: a path that comes back after one cusp, and points beyond those of doubles") {
+  const Workshop here;
+  here.write("odd.json",
+             R"({"phrame": "spline/1", "segments": [{"control_points": [[0, 1], [0, 0]]},
+      {"control_points": [[0, 0], [4, 0], [4, 0], [2, 0]]}, {"control_points": [[2, 0], [2, 2]]},
+      {"control_points": [[2, 2], [0, 2]]}, {"control_points": [[0, 2], [0, 1]]}]})");
+  CHECK(contains(here.run("offset odd.json --distance 1/4 --trim").out,
+                 "its ends meet, e₁ being the opposite: an odd number of cusps"));
+  check_failure(here.run("offset odd.json --distance -1/4 --pocket"), 2,
+                "pocket: the path turns back at an odd number of cusps");
+  here.write("cubic.json", R"({"phrame": "curve/1",
+      "control_points": [[0, 0, 0], ["1/3", 0, 0], ["2/3", "1/3", 0], ["2/3", 1, 0]]})");
+  check_failure(here.run("offset cubic.json --distance 1e1000 --trim"), 4, "points beyond 10^300");
+}
+
+TEST_CASE("offset --check: of a path with arcs, and of polylines in JSON that are not closed") {
+  const Workshop here;
+  // A line and a quarter of a circle around (1, 1).
+  here.write("arc.json",
+             R"({"phrame": "spline/1", "segments": [{"control_points": [[0, 0], [1, 0]]},
+      {"control_points": [[1, 0], [2, 0], [2, 1]], "weights": [1, 1, 2]}]})");
+  here.write("inside.json",
+             R"({"phrame": "spline/1", "segments": [{"control_points": [[0, "1/2"], [1, "1/2"]]},
+      {"control_points": [[1, "1/2"], ["3/2", "1/2"], ["3/2", 1]], "weights": [1, 1, 2]}]})");
+  for (const char* more : {"", " --trim"})
+    CHECK(here.run(std::string("offset arc.json --distance -1/2 --check inside.json") + more)
+              .status == 0);
+  CHECK(here.run("offset arc.json --distance -1/4 --check inside.json").status == 1);
+  here.write("triangle.json", R"({"phrame": "spline/1", "segments": [
+      {"control_points": [[0, 0, 0], [4, 0, 0]]}, {"control_points": [[4, 0, 0], [4, 3, 0]]},
+      {"control_points": [[4, 3, 0], [0, 0, 0]]}]})");
+  // The incircle's radius is 1: of half the size, with a spike on a side.
+  for (const char* spike : {"", R"(, ["5/2", "1/2"], [2, "1/2"])"}) {
+    here.write(
+        "theirs.json",
+        std::string(R"({"phrame": "points/1", "kind": "polyline", "points": [["3/2", "1/2"])") +
+            spike + R"(, ["7/2", "1/2"], ["7/2", 2]]})");
+    const Run run = here.run("offset triangle.json --distance -1/2 --trim --check theirs.json");
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "are closed, as the offset is: 1."));
+  }
 }
 
 TEST_CASE("offset: a pocket, one room after the other, until nothing is left") {
@@ -804,8 +884,8 @@ TEST_CASE("offset --near: of a drawing, by a PH path in its place") {
   CHECK(here.run("offset points.csv --kind polyline --distance 1/2 --near 1e-9").status == 0);
   check_failure(
       here.run("offset triangle.svg --distance 1/2 -o off.json"), 2,
-      "phrame: triangle.svg: the path is not PH, so that its offset is not rational: with "
-      "--near EPS that of a PH path at most EPS away is taken\n");
+      "phrame: triangle.svg: segment 2 is not PH: its offset is rational over ℚ(√13), not over ℚ; "
+      "with --near EPS that of a PH path at most EPS away is taken\n");
   check_failure(here.run("offset triangle.svg --distance 1/2 --near 1e-40 -o off.json"), 4,
                 "phrame: undecided: segment 2: no PH curves were found that are near enough\n");
   CHECK_FALSE(std::filesystem::exists(here.file("off.json")));

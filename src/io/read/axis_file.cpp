@@ -67,7 +67,7 @@ void add_segment(MedialAxis& axis, const Node& node, const CurveLimits& limits) 
                           degree, limits.max_degree));
   auto found = identify_minkowski(hodograph, start);
   if (const auto* reason = std::get_if<NotMinkowski>(&found))
-    node.fail("this is no Minkowski PH curve: " + to_string(*reason));
+    node.fail((reason->number == 0 ? "" : "this is no Minkowski PH curve: ") + to_string(*reason));
   axis.push_back(std::get<MinkowskiCurve>(std::move(found)));
 }
 

@@ -184,7 +184,7 @@ Curve read_tangents(const Node& curve, const Node& node, const CoefficientBasis&
                               read_polynomial(node.at("b"), basis),
                               read_rational_function(node.at("support"), basis)});
   } catch (const DomainError& error) {
-    node.fail(error.what());
+    node.fail(without_place(error.what(), "tangents"));
   }
 }
 

@@ -37,7 +37,9 @@ GivenPoints read_json(std::string_view text) {
   const JsonValue document = parse_json_file(text, "file of points");
   const Node node(document);
   node.require_known_keys({"phrame", "name", "points", "derivatives", "tangents", "accelerations",
-                           "parameters", "note"});
+                           "parameters", "kind", "note"});
+  if (const auto kind = node.find("kind"); kind && kind->string() != "polyline")
+    kind->fail("of points that a curve is to pass the kind is \"polyline\", or left out");
   return read_points(node);
 }
 

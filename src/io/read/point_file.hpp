@@ -13,10 +13,10 @@ class JsonNode;
 /// Reads points that a curve is to pass: a points/1 file (docs/construct.md) or a table.
 /// In points/1, JSON, are `points`, a list of two or three coordinates each, and, as many of each,
 /// `derivatives` or `tangents`, `accelerations` and `parameters`; all but the points may be left
-/// out. `name` and `note` are for people.
-/// A table is text (TextTable), of JSON, a list (JsonTable), or of NumPy (NpyTable). Its columns
-/// are named x, y and z, or as position_column() knows them, and may be t, the parameter, dx, dy,
-/// dz, the derivatives by t, and e1x, e1y, e1z, the tangents. Without t the first of time,
+/// out. `kind` is "polyline", if it is there: its points are these. `name` and `note` are for
+/// people. A table is text (TextTable), of JSON, a list (JsonTable), or of NumPy (NpyTable). Its
+/// columns are named x, y and z, or as position_column() knows them, and may be t, the parameter,
+/// dx, dy, dz, the derivatives by t, and e1x, e1y, e1z, the tangents. Without t the first of time,
 /// timestamp, parameter, u and s is the parameter, if its numbers increase. All others are skipped;
 /// notes_on_columns() names them. Without names two columns are x, y, three x, y, z, and 8, 12 and
 /// 16 poses (read_point_rows). Numbers are read exactly. Throws InputError for what is not of this

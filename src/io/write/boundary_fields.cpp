@@ -81,8 +81,13 @@ std::string in_words(const OffsetKind& offset, const std::string& radicand, Nota
         "rational for both sides together{}, as $y² = $ {} has no point modulo powers of {}",
         field(), in_words(offset.squarefree, notation), to_string(offset.prime));
   if (!offset.conic) return "rational for both sides together";
-  return "rational for both sides together, by " + formula("t =", notation) + " " +
-         formula(formatted_quotient((*offset.conic->form)[0], notation, "m"), notation);
+  const std::string by =
+      formula(formatted_quotient((*offset.conic->form)[0], notation, "m"), notation);
+  if (!offset.once)
+    return "rational for both sides together, by " + formula("t =", notation) + " " + by;
+  return "rational for both sides together, traced several times by " + formula("s =", notation) +
+         " " + formula(formatted_quotient(offset.once->parameter, notation, "t"), notation) +
+         ", by " + formula("s =", notation) + " " + by;
 }
 
 JsonOutput json_of(const OffsetKind& offset) {
@@ -94,6 +99,7 @@ JsonOutput json_of(const OffsetKind& offset) {
                      {"squarefree", json_of(offset.squarefree)},
                      {"radicand", to_string(offset.radicand)}};
   if (offset.prime != 0) said["no_point_modulo"] = to_string(offset.prime);
+  if (offset.once) said["s"] = json_of(offset.once->parameter);
   if (offset.conic) said["t"] = json_of((*offset.conic->form)[0]);
   return said;
 }

@@ -13,7 +13,9 @@ std::string closure_text(const Path& path) {
   if (!closure.ends_meet) return "open or closed: undecided";
   if (!*closure.ends_meet) return "open";
   if (!closure.is_closed) return "its ends meet, perhaps with their tangents: undecided";
-  return *closure.is_closed ? "closed" : "its ends meet, where the tangent turns back";
+  if (*closure.is_closed) return "closed";
+  return path.ends_turned_over() ? "its ends meet, e₁ being the opposite: an odd number of cusps"
+                                 : "its ends meet, where the tangent turns back";
 }
 
 /// ", with 6 corners of at most 1.57 radians"; empty where there is none.

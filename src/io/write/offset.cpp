@@ -230,7 +230,8 @@ Fields fields(const OffsetAnswer::Trimmed& part) {
   };
   const auto none = [&](Notation) {
     std::vector<std::string> words;
-    if (part.branches.empty()) words.emplace_back("none: all of it is nearer to the path than |d|");
+    if (part.branches.empty())
+      words.emplace_back("none: but for single points all of it is nearer to the path than |d|");
     return words;
   };
   list.push_back({"branches", "branch", {Value::Rows(none), json}});
@@ -249,20 +250,31 @@ Fields fields(const OffsetAnswer::Both& part) {
                 [&p](Notation notation) { return formula(formatted(p, notation, "m"), notation); }),
             [&p] { return json_of(p); }};
   };
-  const auto t = [&](Notation notation) {
+  const auto by = [&](Notation notation) {
     return formula(formatted_quotient(offset.parameter, notation, "m"), notation);
   };
-  return {{"distance",
-           "distance $d$",
-           {Value::Words([&](Notation notation) {
-              return distance_in_words(part.distance, notation) + ", to both sides";
-            }),
-            [&] { return json_of(part.distance); }}},
-          {"parameter", "$t$", {Value::Words(t), [&] { return json_of(offset.parameter); }}},
-          {"x", "$X$", by_m(offset.numerator[0])},
-          {"y", "$Y$", by_m(offset.numerator[1])},
-          {"weight", "$W$", by_m(offset.weight)},
-          {"paths", "side", paths_value(part.paths)}};
+  Fields list{{"distance",
+               "distance $d$",
+               {Value::Words([&](Notation notation) {
+                  return distance_in_words(part.distance, notation) + ", to both sides";
+                }),
+                [&] { return json_of(part.distance); }}}};
+  if (const auto& s = offset.once)
+    list.push_back({"s",
+                    "traced",
+                    {Value::Words([&](Notation notation) {
+                       return "several times, by " + formula("s =", notation) + " " +
+                              formula(formatted_quotient(*s, notation, "t"), notation);
+                     }),
+                     [&] { return json_of(*s); }}});
+  list.insert(list.end(), {{"parameter",
+                            offset.once ? "$s$" : "$t$",
+                            {Value::Words(by), [&] { return json_of(offset.parameter); }}},
+                           {"x", "$X$", by_m(offset.numerator[0])},
+                           {"y", "$Y$", by_m(offset.numerator[1])},
+                           {"weight", "$W$", by_m(offset.weight)},
+                           {"paths", "side", paths_value(part.paths)}});
+  return list;
 }
 
 /// The gauge, and the segments without an offset under it.

@@ -191,13 +191,17 @@ bool Path::ends_meet() const {
 bool Path::is_closed() const {
   if (is_ph()) return closing_turn().has_value();
   if (!ends_meet()) return false;
-  if (end_orientation(segments().back()) != orientation(segments().front())) return false;
+  if (ends_turned_over()) return false;
   FormulaProgram program;
   const SegmentEnd start = start_of(segments().front(), program);
   const SegmentEnd end = end_of(segments().back(), program);
   if (have_same_direction(program, end.direction, start.direction) == true) return true;
   return !decided(turns_back(end.direction, start.direction, program),
                   "the tangent turns back where the ends of the curve meet");
+}
+
+bool Path::ends_turned_over() const {
+  return end_orientation(segments().back()) != orientation(segments().front());
 }
 
 bool Path::closes_at_corner() const {

@@ -57,6 +57,9 @@ class PHRAME_API Path {
   /// Do the ends meet, with e₁ on the same side of r′/|r′| at both, and does the tangent not turn
   /// back there? Throws likewise.
   bool is_closed() const;
+  /// Is e₁ on another side of r′/|r′| at the end than at the start, as after an odd number of
+  /// cusps?
+  bool ends_turned_over() const;
   /// Is the path closed, and are the tangents at its ends different, or not told apart from that?
   bool closes_at_corner() const;
   /// PhPath::closing_turn() of a path that has_erf(); no value for others.

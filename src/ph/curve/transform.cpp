@@ -150,6 +150,17 @@ Curve in_lowest_terms(const PhSegment& ph) {
   return std::get<Curve>(identify(r));
 }
 
+/// The least whole c > 0 with r′ ≠ 0 at t = c and t = −c.
+Rational regular_cut(const RationalCurve& curve) {
+  const Vector<Polynomial> r = curve.numerator();
+  const Polynomial& w = curve.weight();
+  Polynomial common;
+  for (const Polynomial& x : r) common = gcd(common, w * differentiate(x) - x * differentiate(w));
+  Rational c = 1;
+  while (common(c) == 0 || common(-c) == 0) c += 1;
+  return c;
+}
+
 Matrix diagonal(const Rational& c) {
   return {Vector<Rational>{c, 0, 0}, Vector<Rational>{0, c, 0}, Vector<Rational>{0, 0, c}};
 }
@@ -235,10 +246,12 @@ Path whole_line(const Path& path) {
   if (curve == nullptr)
     throw DomainError("whole line: a curve by formulas is on its interval alone");
   require_finite(*curve);
+  const Rational c = regular_cut(*curve);
   const auto* ph = std::get_if<PhSegment>(&path.segments().front());
-  if (ph == nullptr) return joined({part(*curve, -1, 1), second_half(*curve)});
+  if (ph == nullptr)
+    return joined({part(*curve, -c, c), second_half(std::get<RationalCurve>(part(*curve, 0, c)))});
   const Curve reduced = in_lowest_terms(*ph);
-  return joined({PhSegment(segment(reduced, -1, 1)), second_half(reduced)});
+  return joined({PhSegment(segment(reduced, -c, c)), second_half(segment(reduced, 0, c))});
 }
 
 Path translated(const Path& path, const Vector<Rational>& v) {

@@ -34,7 +34,9 @@ PHRAME_API Path rotated(const Path& path, const RationalQuaternion& u);
 
 /// All of a rational curve r = X/W, t ∈ ℝ ∪ {∞}, as a closed path of two segments:
 ///   t = 2s − 1, from −1 to 1, and t = 1/(1 − 2s), from 1 through ∞ back to −1,
-/// s ∈ [0, 1]. Both have the derivative 2 where they meet, so that r′ is continuous there. With
+/// s ∈ [0, 1]; where it has a cusp at one of these, r(ct) is taken for r(t), with the least whole c
+/// of which it has none at ±c. Both have the derivative 2 where they meet, so that r′ is continuous
+/// there. With
 /// n = deg W and D = 1 − 2s the second is Dⁿ·X(1/D) over Dⁿ·W(1/D), and of a PH curve, deg A = m,
 ///   A ↦ Dᵐ·A(1/D), f ↦ 2·D²ⁿ⁻²⁻²ᵐ·f(1/D):
 /// it is PH, and its Euler–Rodrigues frame goes on, also at the end, where (−1)ᵐ·A(−1) is for

@@ -208,6 +208,15 @@ class Trimmer {
       }
   }
 
+  /// Are there coordinates of which boxes of doubles tell nothing?
+  bool is_beyond_doubles() const {
+    const Rational most = power_of_ten(300);
+    return std::ranges::any_of(stroke_.branches.curves, [&](const RationalCurve& curve) {
+      const Vector<Rational> start = point(curve, 0);
+      return abs(start[0]) > most || abs(start[1]) > most;
+    });
+  }
+
   void add_crossings() {
     CrossingQuery query;
     query.is_idle = [&](const CurveNode& node) {
@@ -230,7 +239,10 @@ class Trimmer {
     SelfIntersections found = self_intersections(stroke_.branches, *series_, query);
     coincident_ = std::move(found.coincident);
     add_coincidences();
-    if (found.is_cut_off) throw Undecided(function_ + ": branches touch at too many places");
+    if (found.is_cut_off)
+      throw Undecided(function_ + (is_beyond_doubles()
+                                       ? ": of points beyond 10^300 it is not told where they are"
+                                       : ": branches touch at too many places"));
     std::vector<Crossing> again;  // told of an earlier piece on the same way, too
     for (const Crossing& x : found.found) {
       if (are_parallel(x.first_segment, x.second_segment)) continue;  // their ends are events

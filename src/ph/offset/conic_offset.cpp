@@ -2,39 +2,118 @@
 // finitely many d, and the genus of that curve is ⌈½ deg D⌉ − 1.
 #include "phrame/ph/offset/conic_offset.hpp"
 
-#include "phrame/algebra/decomposition.hpp"
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
+#include "phrame/ph/curve/special_points.hpp"
 #include "phrame/ph/curve/vector.hpp"
 
 namespace phrame::inline v0 {
 namespace {
 
-/// h with r(t) = r(s) where h(t) = h(s), for all but finitely many s, of the least degree that some
-/// s show: where it is 1 the curve is traced once.
-Polynomial fibre(const RationalCurve& curve) {
-  const Vector<Polynomial> x = curve.numerator();
-  Polynomial least;
-  for (long k = 2; k < 8 && (k == 2 || least.degree() > 1); ++k) {
-    const Rational s(1, k);
-    Polynomial common;
-    for (const Polynomial& c : x)
-      common = gcd(common, curve.weight()(s) * c - c(s) * curve.weight());
-    if (least.is_zero() || common.degree() < least.degree()) least = common;
+/// The t with r(t) = r(s), as the zeros of a polynomial; no value where t = ∞ is one of them.
+std::optional<Polynomial> fibre(const RationalCurve& curve, const Rational& s) {
+  const Polynomial& w = curve.weight();
+  Polynomial common;
+  bool is_finite = false;
+  for (const Polynomial& x : curve.numerator()) {
+    const Polynomial difference = w(s) * x - x(s) * w;
+    common = gcd(common, difference);
+    is_finite = is_finite || difference.degree() == degree(curve);
   }
-  return least;
+  return is_finite ? std::optional(common) : std::nullopt;
 }
 
-/// The curve by h(t), where it is polynomial.
-std::optional<RationalCurve> traced_once(const RationalCurve& curve, const Polynomial& h) {
-  Vector<Polynomial> outer;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto found = outer_of(curve.numerator()[k], h);
-    if (!found || !curve.weight().is_constant()) return std::nullopt;
-    outer[k] = 1 / curve.weight().coefficient(0) * *found;
+/// h = p/q, of which r is a function, r(t) = R(h(t)), traced once by that.
+struct Tracing {
+  Polynomial p;
+  Polynomial q;
+};
+
+/// For all but finitely many s the fibre through s is that of h, p(t)·q(s) − q(t)·p(s) [Lüroth],
+/// others have more points: of the least degree that some s show, h is the quotient of two.
+std::optional<Tracing> tracing(const RationalCurve& curve) {
+  std::optional<Polynomial> p;
+  for (long k = 2; k < 10 && (!p || p->degree() > 1); ++k)
+    if (auto found = fibre(curve, Rational(1, k)); found && (!p || found->degree() < p->degree()))
+      p = std::move(found);
+  if (!p) return std::nullopt;
+  if (p->degree() == 1) return Tracing{{0, 1}, {1}};
+  if (curve.weight().is_constant()) return Tracing{*p, {1}};
+  std::optional<Polynomial> q;
+  for (long k = 2; k < 10; ++k)
+    for (const Rational& s : {Rational(k), Rational(1 - k)}) {
+      auto found = fibre(curve, s);
+      if (!found || found->degree() != p->degree() || (*found)(0) == 0) continue;
+      if (((*p)(0) * *found - (*found)(0) * *p).is_zero()) continue;
+      const bool is_beside = real_roots(*found, closed_interval(0, 1)).empty();
+      if (is_beside) return Tracing{*p, *std::move(found)};
+      if (!q) q = std::move(found);
+    }
+  return q ? std::optional(Tracing{*p, *std::move(q)}) : std::nullopt;
+}
+
+/// Σ cᵢ·pⁱ·qⁿ⁻ⁱ
+Polynomial composed(const std::vector<Rational>& c, const Tracing& h) {
+  Polynomial sum;
+  Polynomial q{1};
+  for (std::size_t i = c.size(); i-- > 0; q *= h.q) sum = sum * h.p + c[i] * q;
+  return sum;
+}
+
+/// The cᵢ, i ≤ n, of which that is x, by its values at n + 1 places and Newton's differences.
+std::optional<Polynomial> outer_of(const Polynomial& x, const Tracing& h, long n) {
+  const Polynomial scale = pow(h.q, n);
+  std::vector<Rational> at;
+  std::vector<Rational> values;
+  for (long t = 1; static_cast<long>(at.size()) <= n; ++t) {
+    const Rational q = h.q(t);
+    if (q == 0 || std::ranges::find(at, h.p(t) / q) != at.end()) continue;
+    at.push_back(h.p(t) / q);
+    values.push_back(x(t) / scale(t));
   }
-  return RationalCurve(outer);
+  for (std::size_t k = 1; k < at.size(); ++k)
+    for (std::size_t i = at.size() - 1; i >= k; --i)
+      values[i] = (values[i] - values[i - 1]) / (at[i] - at[i - k]);
+  Polynomial outer;
+  for (std::size_t i = at.size(); i-- > 0;)
+    outer = outer * Polynomial{-at[i], 1} + Polynomial{values[i]};
+  std::vector<Rational> c;
+  for (long i = 0; i <= n; ++i) c.push_back(outer.coefficient(i));
+  return composed(c, h) == x ? std::optional(outer) : std::nullopt;
+}
+
+/// The curve by h from t = 0 to t = `end`, where h goes one way on that.
+std::optional<TracedOnce> traced_once(const Vector<Polynomial>& x, const Polynomial& w,
+                                      const Tracing& h, const Rational& end) {
+  const auto& [p, q] = h;
+  const Polynomial slope = differentiate(p) * q - p * differentiate(q);
+  if (!real_roots(q, closed_interval(0, end)).empty() ||
+      !sign_changes(compose(slope, Polynomial{0, end})).empty())
+    return std::nullopt;
+  const Rational from = p(0) / q(0);
+  const Rational step = p(end) / q(end) - from;
+  const auto by_s = [&](const Polynomial& y) { return compose(y, Polynomial{from, step}); };
+  return TracedOnce{RationalFunction(p - from * q, step * q),
+                    RationalCurve({by_s(x[0]), by_s(x[1]), by_s(x[2])}, by_s(w))};
+}
+
+/// Of a curve that is traced several times: it as far as h goes one way, and that t.
+struct Once {
+  TracedOnce curve;
+  Rational end;
+};
+std::optional<Once> part_traced_once(const RationalCurve& curve, const Tracing& h) {
+  const long n = degree(curve) / std::max(h.p.degree(), h.q.degree());
+  const auto w = outer_of(curve.weight(), h, n);
+  Vector<Polynomial> x;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto found = outer_of(curve.numerator()[k], h, n);
+    if (!found || !w) return std::nullopt;
+    x[k] = *found;
+  }
+  for (Rational end = 1;; end /= 2)
+    if (auto found = traced_once(x, *w, h, end)) return Once{*std::move(found), end};
 }
 
 /// The same conic by lines through a point with t outside of [0, 1], or at infinity.
@@ -88,14 +167,18 @@ OffsetKind offset_kind_by(const Polynomial& squarefree, const RationalCurve& cur
     return found;
   }
   if (squarefree.degree() > 2) {
-    const Polynomial h = fibre(curve);
-    if (h.degree() <= 1) return found;
-    if (const auto once = traced_once(curve, h)) {
-      found = query.of_curve(*once);
-      found.conic.reset();
+    const auto h = tracing(curve);
+    if (h && h->p.degree() == 1) return found;
+    auto once = h ? part_traced_once(curve, *h) : std::nullopt;
+    if (!once) {
+      found.kind = Kind::undecided;
       return found;
     }
-    found.kind = Kind::undecided;
+    found = query.of_curve(once->curve.curve);
+    if (once->end == 1)
+      found.once = std::move(once->curve);
+    else
+      found.conic.reset();
     return found;
   }
   const ConicParameters conic = query.conic();
@@ -104,6 +187,10 @@ OffsetKind offset_kind_by(const Polynomial& squarefree, const RationalCurve& cur
   found.kind = conic.form || conic.prime != 0 ? Kind::two_sided : Kind::undecided;
   if (conic.form) found.conic = seen_from_outside(conic, squarefree);
   return found;
+}
+
+const RationalCurve& traced_once(const RationalCurve& curve, const OffsetKind& kind) {
+  return kind.once ? kind.once->curve : curve;
 }
 
 TwoSidedOffset two_sided_by(const RationalCurve& curve, const OffsetKind& kind,
@@ -117,6 +204,7 @@ TwoSidedOffset two_sided_by(const RationalCurve& curve, const OffsetKind& kind,
   const RationalFunction v = coordinate(1);
   const Polynomial w = lcm(x.denominator(), v.denominator());
   TwoSidedOffset made{t,
+                      kind.once ? std::optional(kind.once->parameter) : std::nullopt,
                       {x.numerator() * exact_quotient(w, x.denominator()),
                        v.numerator() * exact_quotient(w, v.denominator())},
                       w,

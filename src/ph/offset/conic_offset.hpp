@@ -21,12 +21,16 @@ struct OffsetKindQuery {
   std::function<OffsetKind(const RationalCurve& curve)> of_curve;  ///< the kind for another curve
   std::function<ConicParameters()> conic;                          ///< where deg D = 2
 };
-/// The kind by D. Of a polynomial curve that is traced several times, and deg D > 2, it is that of
-/// the curve that it is by h(t).
+/// The kind by D. Of a curve that is traced several times, and deg D > 2, it is that of the curve
+/// that it is by h(t).
 OffsetKind offset_kind_by(const Polynomial& squarefree, const RationalCurve& curve,
                           const OffsetKindQuery& query);
 
-/// r + step, both by m; the sides belong to y of the sign `first` and of the other one.
+/// The curve that `kind.conic` is of.
+const RationalCurve& traced_once(const RationalCurve& curve, const OffsetKind& kind);
+
+/// r + step of a curve that is traced_once(), both by m; the sides belong to y of the sign `first`
+/// and of the other one.
 TwoSidedOffset two_sided_by(const RationalCurve& curve, const OffsetKind& kind,
                             const std::array<RationalFunction, 2>& step, int first, long digits);
 

@@ -46,8 +46,9 @@ std::optional<OffsetKind> offset_kind(const RationalCurve& curve, const Gauge& g
        [&] { return conic_parameters(squarefree); }});
 }
 
-TwoSidedOffset two_sided_offset(const RationalCurve& curve, const Gauge& gauge,
+TwoSidedOffset two_sided_offset(const RationalCurve& traced, const Gauge& gauge,
                                 const OffsetKind& kind, const Rational& d, long digits) {
+  const RationalCurve& curve = traced_once(traced, kind);
   const auto& [t, y] = *kind.conic.value().form;
   const auto factor = factor_of_both_sides(curve, gauge).value();
   const auto of_m = [&, &t = t](const Polynomial& p) { return compose(RationalFunction(p), t); };

@@ -42,8 +42,9 @@ OffsetKind offset_kind(const RationalCurve& curve) {
                          [&] { return conic_of(curve.direction(), split); }});
 }
 
-TwoSidedOffset two_sided_offset(const RationalCurve& curve, const OffsetKind& kind,
+TwoSidedOffset two_sided_offset(const RationalCurve& traced, const OffsetKind& kind,
                                 const Rational& d, long digits) {
+  const RationalCurve& curve = traced_once(traced, kind);
   const auto& [t, y] = *kind.conic.value().form;
   const auto of_m = [&, &t = t](const Polynomial& p) { return compose(RationalFunction(p), t); };
   const RationalFunction length = of_m(split_norm(curve).square) * y;

@@ -7,6 +7,7 @@
 #include "phrame/ph/along/path_totals.hpp"
 #include "phrame/ph/along/rmf_angle.hpp"
 #include "phrame/ph/curve/end_point.hpp"
+#include "phrame/ph/curve/identify.hpp"
 #include "phrame/ph/curve/rational_ph.hpp"
 #include "phrame/ph/curve/transform.hpp"
 #include "support/expression_curves.hpp"
@@ -72,6 +73,17 @@ TEST_CASE("whole line: the points are those of all t, and ∞ is in the middle o
   for (std::size_t k = 0; k < 3; ++k)
     CHECK(point_at(whole, 1, Rational(1, 2))[k] ==
           X[k].coefficient(10) / curve.weight().coefficient(10));
+}
+
+// The astroid (cos³φ, sin³φ), t = tan(φ/2), has cusps at t = 0, ±1 and ∞, and is 6 long.
+TEST_CASE("whole line: it is cut where there is no cusp") {
+  const RationalCurve astroid({Polynomial{1, 0, -3, 0, 3, 0, -1}, Polynomial{0, 0, 0, 8}, {}},
+                              {1, 0, 3, 0, 3, 0, 1});
+  const Path whole = whole_line(Path(std::get<Curve>(identify(astroid))));
+  CHECK(point_at(whole, 0, 0)[0] == Rational(-27, 125));  // cos φ = −3/5 at t = −2
+  CHECK(point_at(whole, 0, Rational(3, 4)) == Vector<Rational>{0, 1, 0});
+  CHECK(point_at(whole, 1, Rational(1, 2)) == Vector<Rational>{-1, 0, 0});
+  CHECK(*total_length(whole).value.exact() == 6);
 }
 
 TEST_CASE("whole line: the Euler–Rodrigues frame goes on and comes back as it was") {

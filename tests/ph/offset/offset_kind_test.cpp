@@ -135,17 +135,67 @@ TEST_CASE("offset_kind: fields, curves that are traced twice, circles and lines"
   CHECK_FALSE(oblique.conic);
   CHECK(oblique.prime == 3);
   CHECK(oblique.radicand == 2);
-  // The parabola by s = t² and by s = t³ + t is itself.
-  for (const Polynomial& s : {Polynomial{0, 0, 1}, Polynomial{0, 1, 0, 1}}) {
-    const OffsetKind twice = offset_kind(plane_curve(s, s * s));
-    CHECK(twice.kind == Kind::two_sided);
-    CHECK(twice.squarefree.degree() == 2);
-  }
   CHECK(offset_kind(plane_curve({0, 1}, {0, 0, 0, 1})).kind == Kind::none);
   // A quarter of a circle.
   const RationalCurve circle({Polynomial{1, 0, -1}, Polynomial{0, 2}, Polynomial()}, {1, 0, 1});
   CHECK(offset_kind(circle).kind == Kind::each_side);
   CHECK(offset_kind(circle).radicand == 1);
+}
+
+TEST_CASE("offset_kind: a parabola that is traced several times has its own offset") {
+  // (x, x²) for x from `from` to `to`, by a polynomial of t that goes one way in (0, 1).
+  const Rational from(1, 2);
+  for (const Rational& to : {Rational(3), Rational(-3)})
+    for (const Polynomial& s :
+         {Polynomial{0, 0, 1}, Polynomial{0, Rational(1, 2), 0, Rational(1, 2)},
+          Polynomial{0, Rational(2, 3), Rational(1, 3)}}) {
+      const Polynomial x = Polynomial{from} + (to - from) * s;
+      const OffsetKind kind = offset_kind(plane_curve(x, x * x));
+      CHECK(kind.kind == Kind::two_sided);
+      CHECK(kind.squarefree.degree() == 2);
+      REQUIRE(kind.once);
+      CHECK(kind.once->parameter == RationalFunction(s));
+      const Polynomial once{from, to - from};
+      CHECK(kind.once->curve.numerator()[0] == once);
+      CHECK(kind.once->curve.numerator()[1] == once * once);
+      const TwoSidedOffset offset = two_sided_offset(plane_curve(x, x * x), kind, 2, 20);
+      CHECK(offset.once == RationalFunction(s));
+      check_law(kind.once->curve, offset, 2);
+    }
+  // By rational functions of t of the degrees 2 and 3, and the parabola as a rational curve.
+  const RationalFunction moebius({1, 2}, {3, -1});  // from 1/3 to 3/2
+  for (const RationalFunction& s :
+       {RationalFunction({0, 0, 2}, {1, 0, 1}), RationalFunction({0, 3, 0, 1}, {1, 0, 3})}) {
+    const RationalFunction x = compose(moebius, s);
+    const Polynomial w = x.denominator() * x.denominator();
+    const RationalCurve traced({x.numerator() * x.denominator(), x.numerator() * x.numerator(), {}},
+                               w);
+    const OffsetKind kind = offset_kind(traced);
+    CHECK(kind.kind == Kind::two_sided);
+    REQUIRE(kind.once);
+    CHECK(degree(kind.once->curve) == 2);
+    for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1)})
+      CHECK(point(kind.once->curve, kind.once->parameter(t)) == point(traced, t));
+    check_law(kind.once->curve, two_sided_offset(traced, kind, 2, 20), 2);
+  }
+  // By t²/(2t − 1) t = ∞ and t = 1/2 are one point: it is traced twice all the same.
+  const auto by = [](const RationalFunction& u) {
+    const RationalFunction x = compose(RationalFunction({0, 1}, {1, 0, 1}), u);
+    const RationalFunction y = compose(RationalFunction({1}, {1, 0, 0, 0, 1}), u);
+    return RationalCurve({x.numerator() * y.denominator(), y.numerator() * x.denominator(), {}},
+                         x.denominator() * y.denominator());
+  };
+  const OffsetKind once = offset_kind(by(RationalFunction(Polynomial{0, 1})));
+  const OffsetKind twice = offset_kind(by(RationalFunction({0, 0, 1}, {-1, 2})));
+  CHECK(once.kind == Kind::none);
+  CHECK(twice.kind == Kind::none);
+  CHECK(once.squarefree.degree() == twice.squarefree.degree());
+  // It goes from 0 to −1/12 and back, and on to 2.
+  const OffsetKind back =
+      offset_kind(plane_curve({0, -1, 3}, Polynomial{0, -1, 3} * Polynomial{0, -1, 3}));
+  CHECK(back.kind == Kind::two_sided);
+  CHECK_FALSE(back.conic);
+  CHECK_FALSE(back.once);
 }
 
 }  // namespace offset_kind_test
