@@ -2,6 +2,8 @@
 // finitely many d, and the genus of that curve is ⌈½ deg D⌉ − 1.
 #include "phrame/ph/offset/conic_offset.hpp"
 
+#include <algorithm>
+
 #include "phrame/algebra/factor.hpp"
 #include "phrame/algebra/real.hpp"
 #include "phrame/algebra/rounding.hpp"
