@@ -198,4 +198,34 @@ TEST_CASE("offset_kind: a parabola that is traced several times has its own offs
   CHECK_FALSE(back.once);
 }
 
+TEST_CASE("offset_kind: law: of a curve by a function of t it is that of the curve") {
+  long kinds = 0;
+  test::for_samples(60, [&](test::Random& random) {
+    const Polynomial x = random.polynomial(3);
+    const Polynomial y = random.polynomial(3);
+    if (differentiate(x).is_zero() || differentiate(y).is_zero()) return;
+    const RationalCurve curve = plane_curve(x, y);
+    const Polynomial p = random.polynomial(random.integer(1, 3));
+    const Polynomial q{random.integer(1, 5), 0, random.integer(0, 3)};
+    if ((differentiate(p) * q - p * differentiate(q)).is_zero()) return;
+    const auto by = [&](const Polynomial& of) {
+      return compose(RationalFunction(of), RationalFunction(p, q));
+    };
+    const Polynomial w = lcm(by(x).denominator(), by(y).denominator());
+    const RationalCurve other({by(x).numerator() * exact_quotient(w, by(x).denominator()),
+                               by(y).numerator() * exact_quotient(w, by(y).denominator()),
+                               {}},
+                              w);
+    const OffsetKind expected = offset_kind(curve);
+    const OffsetKind found = offset_kind(other);
+    CHECK(found.kind == expected.kind);
+    CHECK(found.squarefree.degree() == expected.squarefree.degree());
+    if (found.once)
+      for (const Rational& t : {Rational(0), Rational(2, 7), Rational(1)})
+        CHECK(point(found.once->curve, found.once->parameter(t)) == point(other, t));
+    if (expected.kind == Kind::none) ++kinds;
+  });
+  CHECK(kinds > 5);
+}
+
 }  // namespace offset_kind_test
