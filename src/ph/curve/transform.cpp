@@ -152,12 +152,9 @@ Curve in_lowest_terms(const PhSegment& ph) {
 
 /// The least whole c > 0 with r′ ≠ 0 at t = c and t = −c.
 Rational regular_cut(const RationalCurve& curve) {
-  const Vector<Polynomial> r = curve.numerator();
-  const Polynomial& w = curve.weight();
-  Polynomial common;
-  for (const Polynomial& x : r) common = gcd(common, w * differentiate(x) - x * differentiate(w));
+  const Polynomial& p = curve.multiplier();
   Rational c = 1;
-  while (common(c) == 0 || common(-c) == 0) c += 1;
+  while (p(c) == 0 || p(-c) == 0) c += 1;
   return c;
 }
 
