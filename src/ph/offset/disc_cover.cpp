@@ -247,18 +247,23 @@ bool DiscCover::any_within(const PlaneBox& box, double reach,
   return visit(visit, 1, 0, parts_.size());
 }
 
-bool DiscCover::covers(const PlaneBox& box) const {
+std::optional<std::size_t> DiscCover::covering(const Part& part, const PlaneBox& box) {
   const double error = 0x1p-46 * size_of(box) * size_of(box);
   const auto farthest = [](const DoubleInterval& x, double at) {
     return std::max(std::abs(x.lower - at), std::abs(x.upper - at));
   };
-  return any_within(box, reach_, [&](std::size_t part) {
-    return std::ranges::any_of(parts_[part].discs, [&](const std::array<double, 3>& disc) {
-      const double dx = farthest(box[0], disc[0]);
-      const double dy = farthest(box[1], disc[1]);
-      return dx * dx + dy * dy < disc[2] - error;
-    });
+  const auto found = std::ranges::find_if(part.discs, [&](const std::array<double, 3>& disc) {
+    const double dx = farthest(box[0], disc[0]);
+    const double dy = farthest(box[1], disc[1]);
+    return dx * dx + dy * dy < disc[2] - error;
   });
+  if (found == part.discs.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - part.discs.begin());
+}
+
+bool DiscCover::covers(const PlaneBox& box) const {
+  return any_within(box, reach_,
+                    [&](std::size_t k) { return covering(parts_[k], box).has_value(); });
 }
 
 bool DiscCover::any_near(const Vector<Rational>& at,
@@ -270,20 +275,27 @@ bool DiscCover::any_near(const Vector<Rational>& at,
 std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size_t track,
                                            const Polynomial& known) const {
   std::optional<Disc> found;
+  const auto take = [&](const DiscTrack& of, const std::optional<Rational>& t) {
+    if (!t) return false;
+    found = of.at(*t);
+    found->center[2] = at[2];
+    return true;
+  };
+  const PlaneBox point{around(at[0]), around(at[1])};
+  const auto sees = [&](std::size_t k) {
+    const auto number = covering(parts_[k], point);
+    const auto last = static_cast<long>(parts_[k].discs.size()) - 1;
+    return number && take(parts_[k].track, Rational(static_cast<long>(*number), last));
+  };
+  if (any_within(point, reach_, sees)) return found;
   any_near(at, [&](std::size_t k) {
     const auto& [disc, discs, box, line] = parts_[k];
-    const auto take = [&, &of = disc](const std::optional<Rational>& t) {
-      if (!t) return false;
-      found = of.at(*t);
-      found->center[2] = at[2];
-      return true;
-    };
-    if (line) return take(place_on_line(disc, *line, at));
+    if (line) return take(disc, place_on_line(disc, *line, at));
     const Polynomial x = disc.x - at[0] * disc.weight;
     const Polynomial y = disc.y - at[1] * disc.weight;
     Polynomial gap = x * x + y * y - disc.radius * disc.radius;
     if (k == track) gap = exact_quotient(gap, known);
-    return take(negative_place(gap));
+    return take(disc, negative_place(gap));
   });
   return found;
 }

@@ -54,12 +54,15 @@ class DiscCover {
 
  private:
   struct Part {
-    DiscTrack track;                           ///< of which it is
-    std::vector<std::array<double, 3>> discs;  ///< some of them: x, y, a little less than radius²
-    PlaneBox box;                              ///< of all centers
-    std::optional<DiscLine> line = {};         ///< where it is one
+    DiscTrack track;  ///< of which it is
+    /// Those at t = 0, 1/n, …, 1: x, y, a little less than radius².
+    std::vector<std::array<double, 3>> discs;
+    PlaneBox box;                       ///< of all centers
+    std::optional<DiscLine> line = {};  ///< where it is one
   };
 
+  /// A disc of a part that is seen to have all of the box inside, by its number, in doubles.
+  static std::optional<std::size_t> covering(const Part& part, const PlaneBox& box);
   void add_boxes(std::size_t node, std::size_t first, std::size_t last);
   bool any_within(const PlaneBox& box, double reach,
                   const std::function<bool(std::size_t part)>& is_wanted) const;
