@@ -973,6 +973,35 @@ TEST_CASE(
   CHECK_FALSE(any_near({3, Rational(1, 2), 0}));
 }
 
+TEST_CASE("offset_trim: law: a disc that is around a point has it inside, and is there if any is") {
+  long inside = 0;
+  for_samples(6, [&](Random& random) {
+    const PhPath path = random_path(random, 2);
+    const Foreign foreign(path);
+    const Rational d = random.integer(1, 40);
+    const DiscCover discs(path, d);
+    for (int k = 0; k < 20; ++k) {
+      const auto segment = static_cast<std::size_t>(
+          random.integer(0, static_cast<long>(path.segments().size()) - 1));
+      const double t = double(random.integer(0, 100)) / 100;
+      const Point from = foreign.point(segment, t) + static_cast<double>(d) *
+                                                         double(random.integer(90, 110)) / 100 *
+                                                         foreign.right_normal(segment, t);
+      const Vector<Rational> at{exact_rational(from.real()), exact_rational(from.imag()), 0};
+      const double distance = foreign.distance(from);
+      const auto disc = discs.disc_around(at);
+      if (std::abs(distance - static_cast<double>(d)) > 1e-6)
+        CHECK(disc.has_value() == (distance < static_cast<double>(d)));
+      if (!disc) continue;
+      ++inside;
+      const Vector<Rational> gap = disc->center - at;
+      CHECK(disc->radius == d);
+      CHECK(dot(gap, gap) < d * d);
+    }
+  });
+  CHECK(inside > 20);
+}
+
 TEST_CASE("offset_trim: what cannot be is refused") {
   const PhPath line = lines({{0, 0, 0}, {1, 0, 0}});
   CHECK_THROWS_WITH_AS(trimmed_offset(line, 0), "offset: the distance is 0", DomainError);
