@@ -84,6 +84,7 @@ const Curve& curve_of(const PathObject& path, const char* asked) {
 }
 
 Curve curve_with_preimage_of(const PathObject& path, const char* asked) {
+  if (path.ph) return curve_of(path, asked);
   const NamedPhPath found = with_preimages_of(path, asked);
   require_one(found.path.segments(), asked);
   return found.path.segments().front();

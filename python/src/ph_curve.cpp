@@ -12,7 +12,7 @@ void bind_properties(PathClass& path) {
   path.def_prop_ro(                                        \
       name,                                                \
       [](const PathObject& self) {                         \
-        const Curve curve = asked_of(self, name);          \
+        const Curve& curve = asked_of(self, name);         \
         return of;                                         \
       },                                                   \
       nb::sig("def " name "(self) -> " type), what)

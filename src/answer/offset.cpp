@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <variant>
 
 #include "phrame/algebra/algebraic_image.hpp"
 #include "phrame/algebra/error.hpp"
@@ -318,12 +319,40 @@ OffsetAnswer::Both both_of(const Rational& d, TwoSidedOffset offset) {
   return both;
 }
 
+/// The kind of the offset to both sides together, or why_no_offset().
+std::variant<OffsetKind, std::string> kind_or_reason(const Path& path, bool is_whole) {
+  const auto& segments = path.segments();
+  const auto other = std::ranges::find_if_not(segments, ph_curve);
+  const bool is_one = segments.size() == 1;
+  const std::string no_ph = is_one
+                                ? "the path is not PH"
+                                : fmt::format("segment {} is not PH", other - segments.begin() + 1);
+  const RationalCurve* curve = rational_curve(*other);
+  if (curve == nullptr) return no_ph + ", but given by formulas";
+  OffsetKind kind = offset_kind(*curve);
+  using Kind = OffsetKind::Kind;
+  if (kind.kind == Kind::none) return no_ph + ", so that its offset is not rational";
+  if (kind.kind == Kind::undecided)
+    return no_ph + ", and whether its offset is rational is undecided";
+  const bool is_decided = kind.kind == Kind::each_side || kind.conic || kind.prime != 0;
+  if (is_one && is_whole && is_decided) return kind;
+  if (kind.radicand != 1)
+    return fmt::format("{}: its offset is rational over ℚ(√{}), not over ℚ", no_ph,
+                       to_string(kind.radicand));
+  if (!is_decided)
+    return no_ph +
+           ", and runs more than once along a curve of which the offset is rational for both sides "
+           "together";
+  return no_ph + ": its offset is rational for both sides together, " +
+         (is_one ? "which is not trimmed" : "which is given of a path of one segment");
+}
+
 /// Of a path that is not PH.
 std::vector<OffsetAnswer::Both> both_sides(const Path& path, const OffsetQuery& query) {
-  if (const auto why = why_no_offset(path, !query.trim && !query.pocket))
-    throw InputError("path", *why);
+  const auto found_kind = kind_or_reason(path, !query.trim && !query.pocket);
+  if (const auto* why = std::get_if<std::string>(&found_kind)) throw InputError("path", *why);
   const RationalCurve& curve = *rational_curve(path.segments().front());
-  const OffsetKind kind = offset_kind(curve);
+  const auto& kind = std::get<OffsetKind>(found_kind);
   if (kind.kind == OffsetKind::Kind::each_side)
     throw DomainError(fmt::format("offset: the offset is rational over ℚ(√{}), not over ℚ",
                                   to_string(kind.radicand)));
@@ -439,30 +468,9 @@ void require_plane(const Path& path, const std::string& place) {
 }
 
 std::optional<std::string> why_no_offset(const Path& path, bool is_whole) {
-  const auto& segments = path.segments();
-  const auto other = std::ranges::find_if_not(segments, ph_curve);
-  const bool is_one = segments.size() == 1;
-  const std::string no_ph = is_one
-                                ? "the path is not PH"
-                                : fmt::format("segment {} is not PH", other - segments.begin() + 1);
-  const RationalCurve* curve = rational_curve(*other);
-  if (curve == nullptr) return no_ph + ", but given by formulas";
-  const OffsetKind kind = offset_kind(*curve);
-  using Kind = OffsetKind::Kind;
-  if (kind.kind == Kind::none) return no_ph + ", so that its offset is not rational";
-  if (kind.kind == Kind::undecided)
-    return no_ph + ", and whether its offset is rational is undecided";
-  const bool is_decided = kind.kind == Kind::each_side || kind.conic || kind.prime != 0;
-  if (is_one && is_whole && is_decided) return std::nullopt;
-  if (kind.radicand != 1)
-    return fmt::format("{}: its offset is rational over ℚ(√{}), not over ℚ", no_ph,
-                       to_string(kind.radicand));
-  if (!is_decided)
-    return no_ph +
-           ", and runs more than once along a curve of which the offset is rational for both sides "
-           "together";
-  return no_ph + ": its offset is rational for both sides together, " +
-         (is_one ? "which is not trimmed" : "which is given of a path of one segment");
+  auto found = kind_or_reason(path, is_whole);
+  if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
+  return std::nullopt;
 }
 
 OffsetAnswer answer(const NamedPath& named, const OffsetQuery& query) {

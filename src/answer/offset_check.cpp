@@ -8,6 +8,7 @@
 #include "phrame/algebra/error.hpp"
 #include "phrame/answer/rounded.hpp"
 #include "phrame/ph/curve/vector.hpp"
+#include "phrame/ph/offset/boundary.hpp"
 #include "phrame/ph/offset/offset_trim.hpp"
 #include "phrame/ph/offset/plane_gap.hpp"
 
@@ -122,12 +123,6 @@ ExactParts exact_parts(const PhPath& path, const OffsetCheckQuery& query, const 
   return exact;
 }
 
-bool is_of_degree_1(const RationalCurve* curve) {
-  return curve->weight().is_constant() &&
-         std::ranges::all_of(curve->numerator(),
-                             [](const Polynomial& x) { return x.degree() < 2; });
-}
-
 }  // namespace
 
 OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) {
@@ -159,7 +154,9 @@ OffsetCheckAnswer answer(const NamedPath& named, const OffsetCheckQuery& query) 
     }
     const Vector<Rational> start = point(*curves.front(), 0);
     const Vector<Rational> end = point(*curves.back(), 1);
-    if (exact.is_closed && std::ranges::all_of(curves, is_of_degree_1) && start != end) {
+    if (exact.is_closed &&
+        std::ranges::all_of(curves, [](const auto* curve) { return is_line(*curve); }) &&
+        start != end) {
       given.add_line(end, start, number++);
       ++closed;
     }

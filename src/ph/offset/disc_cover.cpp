@@ -281,13 +281,13 @@ std::optional<Disc> DiscCover::disc_around(const Vector<Rational>& at, std::size
     found->center[2] = at[2];
     return true;
   };
-  const PlaneBox point{around(at[0]), around(at[1])};
+  const PlaneBox here{around(at[0]), around(at[1])};
   const auto sees = [&](std::size_t k) {
-    const auto number = covering(parts_[k], point);
+    const auto number = covering(parts_[k], here);
     const auto last = static_cast<long>(parts_[k].discs.size()) - 1;
     return number && take(parts_[k].track, Rational(static_cast<long>(*number), last));
   };
-  if (any_within(point, reach_, sees)) return found;
+  if (any_near(at, sees)) return found;
   any_near(at, [&](std::size_t k) {
     const auto& [disc, discs, box, line] = parts_[k];
     if (line) return take(disc, place_on_line(disc, *line, at));

@@ -4,7 +4,7 @@
 
 namespace phrame::inline v0 {
 
-/// r(t) = curve(parameter(t)), where r is traced several times and does not turn back in (0, 1).
+/// r(t) = curve(parameter(t)), where r is traced several times, but no part of it from 0 to 1.
 struct TracedOnce {
   RationalFunction parameter;  ///< from 0 at t = 0 to 1 at t = 1
   RationalCurve curve;         ///< traced once
@@ -27,15 +27,15 @@ struct OffsetKind {
   Integer prime = 0;
   /// Of a two-sided one over ℚ, t by the parameter m.
   std::optional<ConicParameters> conic = {};
-  /// Of a polynomial curve that is traced several times, where D is that of another one: that,
-  /// which `conic` is of. There is no conic where it turns back in (0, 1).
+  /// Of a curve that is traced several times, where D is that of another one: that, which `conic`
+  /// is of. There is no conic where a part of it is run through again from t = 0 to 1.
   std::optional<TracedOnce> once = {};
 };
 
 /// Precondition: the curve is in a plane. In a plane z = const a conic has points over ℚ always: H₁
-/// + iH₂ has a factor kt + c over ℚ(i) where deg D = 2, and D is |kt + c|². Where a polynomial
-/// curve is traced several times, and its D is of a higher degree, D is that of the curve that it
-/// is by h(t).
+/// + iH₂ has a factor kt + c over ℚ(i) where deg D = 2, and D is |kt + c|². Where a curve is
+/// traced several times, and its D is of a higher degree, D is that of the curve that it is by a
+/// function h(t).
 PHRAME_API OffsetKind offset_kind(const RationalCurve& curve);
 
 /// A two-sided offset r ± d·n, n = (y′, −x′)/|r′|, in lowest terms: X/W by m, both sides.
